@@ -1,0 +1,104 @@
+//! System values. general-instructions.md A.10.
+
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::operand::{
+    Access,
+    OperandKind::{SystemAttribute, SystemClass, SystemData, SystemInstance},
+    operand,
+};
+
+/// Get system value.
+pub static GSV: Instruction = Instruction {
+    opcode: Opcode::Gsv,
+    mnemonic: "GSV",
+    also: &[],
+    name: "Get System Value",
+    group: Group::InputOutput,
+    first_version: 14,
+    requires: Requires::Any,
+    source: "1756-RM093 Table 12",
+    position: Position::Output,
+    transitional: false,
+    operands: &[
+        operand("Class Name", SystemClass),
+        operand("Instance Name", SystemInstance),
+        operand("Attribute Name", SystemAttribute),
+        operand("Dest", SystemData(Access::Write)),
+    ],
+    summary: "Reads an attribute of a safety object.",
+    safety: None,
+};
+
+/// Set system value.
+pub static SSV: Instruction = Instruction {
+    opcode: Opcode::Ssv,
+    mnemonic: "SSV",
+    also: &[],
+    name: "Set System Value",
+    group: Group::InputOutput,
+    first_version: 14,
+    requires: Requires::Any,
+    source: "1756-RM093 Table 12",
+    position: Position::Output,
+    transitional: false,
+    operands: &[
+        operand("Class Name", SystemClass),
+        operand("Instance Name", SystemInstance),
+        operand("Attribute Name", SystemAttribute),
+        operand("Source", SystemData(Access::Read)),
+    ],
+    summary: "Writes an attribute of a safety object.",
+    safety: None,
+};
+
+/// An attribute that GSV or SSV can reach from the safety task.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Attribute {
+    /// Number in an image.
+    pub number: u8,
+    /// Object class as text writes it.
+    pub class: &'static str,
+    /// Attribute name as text writes it.
+    pub name: &'static str,
+    /// Type of one element.
+    pub element: crate::predefined::Element,
+    /// How many elements.
+    pub length: u32,
+    /// Whether the instance operand names an object (else it is empty).
+    pub has_instance: bool,
+    /// Whether SSV may write it.
+    pub writable: bool,
+    /// What a controller must offer to read it.
+    pub requires: Requires,
+}
+
+const fn attribute(
+    number: u8,
+    class: &'static str,
+    name: &'static str,
+    element: crate::predefined::Element,
+    length: u32,
+) -> Attribute {
+    Attribute { number, class, name, element, length, has_instance: true, writable: false, requires: Requires::Any }
+}
+
+/// Every attribute of a safety object that the safety task can reach. general-instructions.md A.10; times in us
+/// (decided: as the general Task object has them).
+pub static ATTRIBUTES: &[Attribute] = {
+    use crate::predefined::Element::{Dint, Int, Sint};
+    &[
+        attribute(1, "TASK", "Instance", Dint, 1),
+        attribute(2, "TASK", "MaximumInterval", Dint, 2),
+        attribute(3, "TASK", "MinimumInterval", Dint, 2),
+        attribute(4, "TASK", "MaximumScanTime", Dint, 1),
+        attribute(5, "TASK", "Priority", Int, 1),
+        attribute(6, "TASK", "Rate", Dint, 1),
+        attribute(7, "TASK", "Watchdog", Dint, 1),
+        attribute(8, "PROGRAM", "Instance", Dint, 1),
+        Attribute { writable: true, ..attribute(9, "PROGRAM", "MajorFaultRecord", Dint, 11) },
+        attribute(10, "PROGRAM", "MaximumScanTime", Dint, 1),
+        attribute(11, "ROUTINE", "Instance", Dint, 1),
+        Attribute { has_instance: false, requires: Requires::L7x, ..attribute(12, "SAFETY", "SafetyLocked", Sint, 1) },
+        Attribute { has_instance: false, ..attribute(13, "SAFETY", "SafetySignatureExists", Sint, 1) },
+    ]
+};

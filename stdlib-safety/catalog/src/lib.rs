@@ -1,0 +1,24 @@
+//! The certified set, declared once.
+//!
+//! Every instruction that safety logic may hold, every predefined type, option word, operand range, fault code and
+//! controller stands here as plain data with its source. The compiler's rules, the image verifier, the
+//! disassembler, `explain`, the program generator and the tests all read this crate; nothing else repeats it.
+//!
+//! This crate depends on nothing, allocates nothing, and never computes a result of an instruction.
+
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod code;
+pub mod controller;
+pub mod instruction;
+pub mod instructions;
+pub mod operand;
+pub mod predefined;
+pub mod types;
+
+pub use code::{Code, CodeWord};
+pub use controller::{Controller, Family};
+pub use instruction::{Group, Instruction, Opcode, Position, Requires};
+pub use operand::{Access, ChoiceList, Operand, OperandKind};
+pub use predefined::{Element, Member, MemberRole, PredefinedType};
