@@ -1,0 +1,8 @@
+//! Text to tree and back: Rockwell neutral text, `.rll`, L5K and L5X.
+//!
+//! It may depend on lexer, parser and XML libraries only. It must never know an instruction, a type
+//! or a rule: a rung is mnemonics with operands, and an operand is a run of atoms until the compiler
+//! asks for a reading of it. It must never panic, recurse without a limit, or take more than
+//! linear time on any input.
+
+pub mod tree;
