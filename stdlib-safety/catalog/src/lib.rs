@@ -19,6 +19,6 @@ pub mod types;
 
 pub use code::{Code, CodeWord};
 pub use controller::{Controller, Family};
-pub use instruction::{Group, Instruction, Opcode, Position, Requires};
+pub use instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 pub use operand::{Access, ChoiceList, Operand, OperandKind};
 pub use predefined::{Element, Member, MemberRole, PredefinedType};

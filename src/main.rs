@@ -1,0 +1,2 @@
+//! The `twinrung` command.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Primary half of the safety instruction library.

@@ -1,0 +1,1 @@
+//! Test vectors of the safety application instructions.

@@ -1,0 +1,1 @@
+//! The judge: a third evaluator that walks the checked tree.

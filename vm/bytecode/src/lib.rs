@@ -1,0 +1,35 @@
+//! The image: what a compiled safety application is, as bytes and as records, and who may be trusted with it.
+//!
+//! - [`image`] holds the records of an image, [`mod@format`] its code and operand bytes, [`operand`] the typed operands;
+//! - [`layout`] says which cells a type takes and which bytes it has in the Logix memory layout;
+//! - [`limits`] holds every bound, with its reason;
+//! - [`channel`] and [`observer`] are what the two interpreters have in common: an interface, and nothing that computes.
+//!
+//! This crate reads the catalog and nothing else of this project. It executes nothing.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::panic,
+        clippy::unwrap_used,
+        clippy::expect_used
+    )
+)]
+
+extern crate alloc;
+
+pub mod admitted;
+pub mod channel;
+pub mod format;
+pub mod image;
+pub mod index;
+pub mod layout;
+pub mod limits;
+pub mod observer;
+pub mod operand;
+
+pub use admitted::AdmittedImage;

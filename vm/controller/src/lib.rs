@@ -1,0 +1,1 @@
+//! The scan around the two channels: freeze, execute, compare, publish.

@@ -1,0 +1,1 @@
+//! Channel 2: the safety partner interpreter.

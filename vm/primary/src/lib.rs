@@ -1,0 +1,1 @@
+//! Channel 1: the primary interpreter.

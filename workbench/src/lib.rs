@@ -1,0 +1,1 @@
+//! What engineers do with a controller: stimulus, recordings, diagrams, measurements.
