@@ -25,3 +25,18 @@ pub struct Code {
     /// Origin mark of the number and of its meaning in the reference (`recalled-high`, `decided D15`, ...).
     pub origin: &'static str,
 }
+
+/// Declares a code of `FaultCode`.
+pub const fn fault(value: i32, cause: &'static str, remedy: &'static str, origin: &'static str) -> Code {
+    Code { value, word: CodeWord::Fault, cause, remedy, origin }
+}
+
+/// Declares a code of `DiagnosticCode`.
+pub const fn diagnostic(value: i32, cause: &'static str, remedy: &'static str, origin: &'static str) -> Code {
+    Code { value, word: CodeWord::Diagnostic, cause, remedy, origin }
+}
+
+/// Declares a flag member that stands in place of a code.
+pub const fn flag_code(member: &'static str, cause: &'static str, remedy: &'static str, origin: &'static str) -> Code {
+    Code { value: 1, word: CodeWord::Flag(member), cause, remedy, origin }
+}

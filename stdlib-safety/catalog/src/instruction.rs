@@ -44,12 +44,29 @@ pub struct SafetyApplication {
     pub backing: &'static PredefinedType,
     /// For each operand after the backing tag, in order: the member of the backing tag that mirrors it, or `""`.
     pub mirrored: &'static [&'static str],
-    /// The codes it can show, fault words first.
+    /// Rules that bind several operands of one call together, or the task; checked when compiled.
+    pub relations: &'static [Relation],
+    /// The codes it can show, fault words first; 0 (nothing to report) is not listed.
     pub codes: &'static [Code],
     /// The reference file and section that specifies it, e.g. `dual-channel-inputs.md 4`.
     pub reference: &'static str,
     /// What it guards and how, in a few sentences, for `explain`.
     pub purpose: &'static str,
+}
+
+/// A rule between operands of one call, by operand name; checked when compiled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// The two operands must be different tags (dual-channel-inputs.md D20).
+    DifferentTags(&'static str, &'static str),
+    /// The first literal must not be 0 while the choice operand has this value.
+    NotZeroWhen(&'static str, &'static str, i32),
+    /// The first literal must be below the second, unless the second is 0.
+    BelowUnlessZero(&'static str, &'static str),
+    /// The first immediate must not be above the second (where both are immediates).
+    NotAbove(&'static str, &'static str),
+    /// The period of the safety task must not be longer, in ms.
+    PeriodAtMost(u32),
 }
 
 /// The groups of the manual's tables.

@@ -9,6 +9,7 @@ pub mod logical;
 pub mod math;
 pub mod move_;
 pub mod program_control;
+pub mod safety;
 pub mod system;
 pub mod timer_counter;
 
@@ -108,4 +109,6 @@ instructions! {
     Event = 97 => program_control::EVENT;
     Gsv = 104 => system::GSV;
     Ssv = 105 => system::SSV;
+    Dcs = 128 => safety::dcs::DCS;
+    Crout = 129 => safety::crout::CROUT;
 }

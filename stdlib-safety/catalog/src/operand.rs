@@ -90,6 +90,8 @@ pub enum OperandKind {
     Choice(&'static ChoiceList),
     /// An integer literal in a range, both ends included, in `unit` ("ms", "s", "" where it has none), a multiple of `step`.
     Literal {
+        /// Whether 0 is admitted beside the range ("no limit", "not used").
+        or_zero: bool,
         /// Least value admitted.
         least: i32,
         /// Greatest value admitted.
@@ -104,11 +106,34 @@ pub enum OperandKind {
         /// Whether 0 and 1 may stand there.
         immediate: bool,
     },
-    /// DINT input of a safety application instruction: a tag or an immediate.
-    SafetyInteger,
-    /// REAL input of a safety application instruction: a tag or an immediate.
-    SafetyReal,
+    /// DINT input of a safety application instruction, read in every scan: a tag (SINT and INT are sign-extended), or
+    /// an immediate.
+    SafetyInteger {
+        /// Least and greatest value of an immediate; `None` where only a tag may stand. What a tag holds is judged by
+        /// the instruction itself when it runs.
+        immediate: Option<(i32, i32)>,
+        /// `ms`, or empty.
+        unit: &'static str,
+    },
+    /// REAL input of a safety application instruction, read in every scan: a tag, or a finite immediate.
+    SafetyReal {
+        /// Whether an immediate may stand there.
+        immediate: bool,
+        /// Whether an immediate below 0 is refused.
+        not_negative: bool,
+    },
 }
+
+/// A literal in milliseconds, both ends included.
+pub const fn milliseconds(least: i32, greatest: i32) -> OperandKind {
+    OperandKind::Literal { or_zero: false, least, greatest, step: 1, unit: "ms" }
+}
+
+/// A BOOL input where only a tag may stand.
+pub const TAG: OperandKind = OperandKind::SafetyBit { immediate: false };
+
+/// A BOOL input where a tag or an immediate 0 or 1 may stand.
+pub const TAG_OR_IMMEDIATE: OperandKind = OperandKind::SafetyBit { immediate: true };
 
 /// The words that may stand in a choice operand.
 #[derive(Debug, PartialEq, Eq)]
@@ -120,9 +145,14 @@ pub struct ChoiceList {
 }
 
 impl ChoiceList {
-    /// The value of a word. Case, `_` for blanks and repeated blanks make no difference.
+    /// The value of a word, or of the decimal number of one of the list's values. Case, `_` for blanks and repeated
+    /// blanks make no difference. dual-channel-inputs.md D1.
     pub fn value(&self, word: &str) -> Option<i32> {
-        self.words.iter().find(|(known, _)| same_words(known, word)).map(|(_, value)| *value)
+        let number = word.trim().parse::<i32>().ok();
+        self.words
+            .iter()
+            .find(|(known, value)| same_words(known, word) || number == Some(*value))
+            .map(|(_, value)| *value)
     }
 
     /// The word that is printed for a value.

@@ -1,16 +1,25 @@
 //! All predefined structures.
 
 pub mod base;
+pub mod safety;
 
 use crate::predefined::PredefinedType;
 
 /// Every predefined structure that a safety tag may have and whose layout is known here.
-pub static ALL: &[&PredefinedType] =
-    &[&base::TIMER, &base::COUNTER, &base::CONTROL, &base::CONNECTION_STATUS, &base::STRING];
+pub static ALL: &[&PredefinedType] = &[
+    &base::TIMER,
+    &base::COUNTER,
+    &base::CONTROL,
+    &base::CONNECTION_STATUS,
+    &base::STRING,
+    &safety::dual_channel::DCI_STOP,
+    &safety::output::CONFIGURABLE_ROUT,
+];
 
 /// Types that Table 7 of 1756-RM093 lists as valid for safety tags but that no admitted instruction uses: a tag may
 /// have them, its data is opaque to safety logic.
 pub static LISTED_WITHOUT_LAYOUT: &[&str] = &[
+    "CAM_PROFILE",
     "EXT_ROUTINE_CONTROL",
     "EXT_ROUTINE_PARAMETERS",
     "FBD_BIT_FIELD_DISTRIBUTE",
