@@ -1,0 +1,4 @@
+//! Redundant outputs with feedback, `muting-and-outputs.md` 6 and 7.
+
+pub(crate) mod crout;
+pub(crate) mod feedback;

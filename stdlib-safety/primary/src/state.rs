@@ -1,0 +1,67 @@
+//! One state for each safety application instruction, behind one type.
+
+use twinrung_catalog::Opcode;
+
+macro_rules! states {
+    ($($(#[$doc:meta])* $variant:ident in $($module:ident)::+;)*) => {
+        /// The memory of one call of a safety application instruction, apart from its backing tag.
+        ///
+        /// Memory is private to this half of the library: compared between the channels are the members of the backing
+        /// tag, never this.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum State {
+            $($(#[$doc])* $variant(crate::$($module)::+::$variant),)*
+        }
+
+        impl State {
+            /// The memory of a new call, as prescan leaves it; `None` where the instruction is not one of this library.
+            pub fn new(opcode: Opcode) -> Option<State> {
+                match opcode {
+                    $(Opcode::$variant => Some(State::$variant(Default::default())),)*
+                    _ => None,
+                }
+            }
+
+            /// Prescan: forgets everything and writes the output members.
+            ///
+            /// `operands` are the values of the operands after the backing tag in the catalog's order, `members` the
+            /// members of the backing tag in the catalog's order: BOOL as 0 or 1, REAL as its bits. The caller has
+            /// mirrored the operands into the members, which are what is read here. A slice of another length than
+            /// the backing type has cannot come from an admitted image; its every member is set to 0.
+            pub fn prescan(&mut self, operands: &[i32], members: &mut [i32]) {
+                let _mirrored = operands;
+                match self {
+                    $(State::$variant(state) => {
+                        match <&mut crate::$($module)::+::Members>::try_from(&mut *members) {
+                            Ok(members) => state.prescan(members),
+                            Err(_) => members.fill(0),
+                        }
+                    })*
+                }
+            }
+
+            /// One execution of the call with the rung condition `rung` at the scan's frozen time `now_ms`.
+            ///
+            /// Slices as for [`State::prescan`]. Only output members are written; `EnableIn` and `EnableOut` are the
+            /// caller's.
+            pub fn scan(&mut self, rung: bool, now_ms: i64, operands: &[i32], members: &mut [i32]) {
+                let _mirrored = operands;
+                match self {
+                    $(State::$variant(state) => {
+                        match <&mut crate::$($module)::+::Members>::try_from(&mut *members) {
+                            Ok(members) => state.scan(rung, now_ms, members),
+                            Err(_) => members.fill(0),
+                        }
+                    })*
+                }
+            }
+        }
+    };
+}
+
+states! {
+    /// Dual Channel Input Stop.
+    Dcs in dual_channel::dcs;
+    /// Configurable Redundant Output.
+    Crout in outputs::crout;
+}
