@@ -1,1 +1,40 @@
-//! The scan around the two channels: freeze, execute, compare, publish.
+//! The controller around the two channels: it freezes inputs, lets both channels execute, compares every named cell
+//! after every scan, and publishes outputs that it holds apart from both.
+//!
+//! It depends on the image crate and on the two channels, whose insides it never sees: all that it knows of a channel is
+//! [`twinrung_bytecode::channel::Channel`]. It never executes logic, and it never repairs a difference: a difference,
+//! a budget that ran out or a corrupted image is a nonrecoverable safety fault, and outputs are off in that same scan.
+
+#![no_std]
+#![forbid(unsafe_code)]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
+        clippy::panic,
+        clippy::unwrap_used,
+        clippy::expect_used
+    )
+)]
+
+extern crate alloc;
+
+mod clock;
+mod compare;
+mod connections;
+mod controller;
+mod fault;
+mod image_check;
+mod mode;
+
+pub use clock::{NoClock, Part, ScanClock};
+pub use compare::Difference;
+pub use connections::{CellRange, Connections};
+pub use controller::{Controller, LoadError, ScanReport};
+pub use fault::{SafetyFault, StopReason};
+pub use image_check::IMAGE_CHECK_BYTES_PER_SCAN;
+pub use mode::{Mode, ModeRequest};
+
+/// The controller with the two interpreters of this project.
+pub type DualController = Controller<twinrung_primary::Primary, twinrung_partner::Partner>;

@@ -1,0 +1,47 @@
+//! Faults of the safety task. Numbers: general-instructions.md 2.5 and B.7.
+
+use twinrung_bytecode::channel::MajorFault;
+
+use crate::compare::Difference;
+
+/// A nonrecoverable safety fault: outputs are off, and stay off until a download.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SafetyFault {
+    /// The channels differ (14/7).
+    Difference(Difference),
+    /// The clock says that the scan took longer than the watchdog (14/1).
+    WatchdogExpired,
+    /// The scan executed more instructions than its budget (14/1).
+    BudgetExceeded,
+    /// The image in memory is no longer the one that was admitted (14/7).
+    ImageCorrupted,
+}
+
+impl SafetyFault {
+    /// Type and code as the fault log shows them.
+    pub const fn type_and_code(self) -> (u16, u16) {
+        match self {
+            SafetyFault::WatchdogExpired | SafetyFault::BudgetExceeded => (14, 1),
+            SafetyFault::Difference(_) | SafetyFault::ImageCorrupted => (14, 7),
+        }
+    }
+}
+
+/// Why the safety task does not execute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StopReason {
+    /// Nonrecoverable.
+    Safety(SafetyFault),
+    /// A recoverable fault that no fault routine cleared (14/2).
+    Recoverable(MajorFault),
+}
+
+impl StopReason {
+    /// Type and code of the controller-level fault: what `Controller:Fault` shows is type x 1000 + code.
+    pub const fn type_and_code(self) -> (u16, u16) {
+        match self {
+            StopReason::Safety(fault) => fault.type_and_code(),
+            StopReason::Recoverable(_) => (14, 2),
+        }
+    }
+}
