@@ -5,4 +5,9 @@
 //! asks for a reading of it. It must never panic, recurse without a limit, or take more than
 //! linear time on any input.
 
+mod errors;
+pub mod limits;
+mod reading;
 pub mod tree;
+
+pub use reading::{read_expression, read_immediate, read_number, read_tag, read_words, unescape};
