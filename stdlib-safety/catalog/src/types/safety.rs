@@ -4,5 +4,9 @@
 //! `EnableIn` has the role Internal. `EnableOut` has the role Output and equals the rung condition of the last
 //! execution: the interpreter writes it, not the half of the safety library.
 
+pub mod analog;
 pub mod dual_channel;
+pub mod muting;
 pub mod output;
+pub mod press;
+pub mod version_14;
