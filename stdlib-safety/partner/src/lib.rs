@@ -1,8 +1,8 @@
 //! The safety partner's half of the instruction library: every safety application instruction as a safety Add-On
 //! Instruction in ladder, one `.rll` file each under `rll/`, named `Safety_<MNEMONIC>`.
 //!
-//! The ladder is written from the reference alone. Parts that several instructions share (the pair evaluator, the
-//! millisecond clock) are Add-On Instructions of their own, in files named after them, and are called nested.
+//! The ladder is written from the reference alone. Parts that several instructions share (the pair evaluator, the fault
+//! latch) are Add-On Instructions of their own, in files named after them, and are called nested.
 //!
 //! This crate holds text and data; it executes nothing. It depends on nothing at run time, and must never depend on
 //! the primary half or on an interpreter.
@@ -16,6 +16,25 @@
     clippy::expect_used
 )]
 
-/// The Add-On Instructions in source form: the definition's name and its text, parts before the instructions that call
-/// them.
-pub static SOURCES: &[(&str, &str)] = &[];
+/// One `.rll` file, under the name of the instruction or part that it defines.
+macro_rules! source {
+    ($name:literal, $file:literal) => {
+        ($name, include_str!(concat!("../rll/", $file, ".rll")))
+    };
+}
+
+/// The Add-On Instructions in source form: the mnemonic of the instruction, or the name of the shared part, and the text
+/// that defines it. Parts stand before the instructions that call them.
+pub static SOURCES: &[(&str, &str)] = &[
+    source!("Pair_Evaluator", "pair_evaluator"),
+    source!("Channel_Fault_Latch", "channel_fault_latch"),
+    source!("Stop_Core", "stop_core"),
+    source!("DCS", "dcs"),
+    source!("CROUT", "crout"),
+];
+
+/// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
+/// same.
+pub fn source(name: &str) -> Option<&'static str> {
+    SOURCES.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, text)| *text)
+}
