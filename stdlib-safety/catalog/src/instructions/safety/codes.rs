@@ -121,3 +121,90 @@ pub mod feedback {
     pub const TWO_DID_NOT_TURN_OFF: Code =
         fault(0x500B, "Feedback 2 did not turn OFF within the reaction time.", CHECK_TIME, RECALLED);
 }
+
+/// Why the clutch/brake modes stand. v14-and-metal-form.md 11.1.
+pub mod permissive {
+    use crate::code::{Code, diagnostic};
+
+    /// DiagnosticCode 16#F001.
+    pub const ENABLE_OFF: Code = diagnostic(0xF001, "Enable is off.", "Select this mode.", "decided");
+
+    /// DiagnosticCode 16#F002.
+    pub const SAFETY_ENABLE_OFF: Code =
+        diagnostic(0xF002, "Safety Enable is off.", "Close the guards and the E-stop circuits.", "decided");
+
+    /// DiagnosticCode 16#F003.
+    pub const ACK_AWAITED: Code =
+        diagnostic(0xF003, "Safety Enable Ack is awaited.", "Give Safety Enable Ack a rising edge.", "decided");
+
+    /// DiagnosticCode 16#F004.
+    pub const ACK_HELD: Code = diagnostic(
+        0xF004,
+        "Safety Enable Ack is held ON.",
+        "Release Safety Enable Ack, then press it again.",
+        "decided",
+    );
+
+    /// DiagnosticCode 16#F005.
+    pub const STANDARD_ENABLE_OFF: Code =
+        diagnostic(0xF005, "Standard Enable is off.", "Establish the production conditions.", "decided");
+
+    /// DiagnosticCode 16#F006.
+    pub const MOTION_MONITOR_FAULT: Code =
+        diagnostic(0xF006, "The camshaft monitor has a fault.", "Clear the fault of the camshaft monitor.", "decided");
+
+    /// DiagnosticCode 16#F007.
+    pub const SLIDE_ZONE_INVALID: Code =
+        diagnostic(0xF007, "Slide Zone is invalid.", "Clear the fault of the crankshaft position monitor.", "decided");
+
+    /// DiagnosticCode 16#F008.
+    pub const PRESS_IN_MOTION: Code = diagnostic(
+        0xF008,
+        "Start or Arm was refused: the press is in motion.",
+        "Wait until the press stands, then press again.",
+        "decided",
+    );
+
+    /// DiagnosticCode 16#F009.
+    pub const START_HELD: Code = diagnostic(0xF009, "Start is held ON.", "Release Start.", "decided");
+
+    /// DiagnosticCode 16#F00A.
+    pub const NOT_IN_TOP: Code = diagnostic(
+        0xF00A,
+        "Start or Arm was refused: the slide is not in Top.",
+        "Move the slide to Top in inch mode.",
+        "decided",
+    );
+
+    /// DiagnosticCode 16#F00B.
+    pub const START_RELEASED: Code =
+        diagnostic(0xF00B, "Stopped: Start was released too early.", "Press Start again and hold it.", "decided");
+
+    /// DiagnosticCode 16#F00D.
+    pub const STOPPED_AT_TOP: Code =
+        diagnostic(0xF00D, "Stopped at Top: the normal end.", "Press Start for the next stroke.", "decided");
+
+    /// DiagnosticCode 16#F00E.
+    pub const CONFIGURATION_CHANGED: Code = diagnostic(
+        0xF00E,
+        "The configuration is out of range or changed at run time.",
+        "Correct it; the rung must be false once.",
+        "decided",
+    );
+
+    /// DiagnosticCode 16#F011.
+    pub const ZONES_OUT_OF_ORDER: Code = diagnostic(
+        0xF011,
+        "Stopped: the slide zones came out of order.",
+        "Check the crankshaft position monitor and its cams.",
+        "decided",
+    );
+
+    /// DiagnosticCode 16#F012.
+    pub const TOO_EARLY: Code = diagnostic(
+        0xF012,
+        "Start or Arm came in the very scan in which the permissives came.",
+        "Press again.",
+        "decided",
+    );
+}

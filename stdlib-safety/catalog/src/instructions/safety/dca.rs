@@ -1,0 +1,100 @@
+//! DCA. muting-and-outputs.md 8.
+
+use super::choices::{COLD_START, RESTART};
+use super::codes;
+use crate::code::{diagnostic, fault};
+use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
+use crate::operand::{
+    Access,
+    OperandKind::{Choice, SafetyInteger, Structure},
+    TAG_OR_IMMEDIATE, milliseconds, operand,
+};
+use crate::types::safety::analog::DCA_INPUT;
+
+/// Dual Channel Input - Analog (integer).
+pub static DCA: Instruction = Instruction {
+    opcode: Opcode::Dca,
+    mnemonic: "DCA",
+    also: &[],
+    name: "Dual Channel Input - Analog (integer)",
+    group: Group::SafetyApplication,
+    first_version: 20,
+    requires: Requires::Any,
+    source: "1756-RM093 Table 10",
+    position: Position::Output,
+    transitional: true,
+    operands: &[
+        operand("DCA", Structure(&DCA_INPUT, Access::ReadWrite)),
+        operand("Restart Type", Choice(&RESTART)),
+        operand("Cold Start Type", Choice(&COLD_START)),
+        operand("Discrepancy Time", milliseconds(5, 3000)),
+        operand("Tolerance", SafetyInteger { immediate: Some((0, i32::MAX)), unit: "" }),
+        operand("High Limit", SafetyInteger { immediate: Some((i32::MIN, i32::MAX)), unit: "" }),
+        operand("Low Limit", SafetyInteger { immediate: Some((i32::MIN, i32::MAX)), unit: "" }),
+        operand("Channel A", SafetyInteger { immediate: None, unit: "" }),
+        operand("Channel B", SafetyInteger { immediate: None, unit: "" }),
+        operand("Input Status", TAG_OR_IMMEDIATE),
+        operand("Reset", TAG_OR_IMMEDIATE),
+    ],
+    summary: "O1 is on while two integer channels agree and lie within limits.",
+    safety: Some(&SafetyApplication {
+        backing: &DCA_INPUT,
+        mirrored: &[
+            "RestartType",
+            "ColdStartType",
+            "DiscrepancyTime",
+            "Tolerance",
+            "HighLimit",
+            "LowLimit",
+            "ChannelA",
+            "ChannelB",
+            "InputStatus",
+            "Reset",
+        ],
+        relations: &[Relation::NotAbove("Low Limit", "High Limit")],
+        codes: &[
+            codes::INPUT_STATUS_LOST,
+            fault(
+                0xF071,
+                "Tolerance or the limits are not usable: Tolerance below 0, High Limit below Low Limit.",
+                "Correct the values, then give Reset a rising edge.",
+                "decided",
+            ),
+            fault(
+                0xF070,
+                "The channels differed by more than Tolerance for the Discrepancy Time.",
+                "Check the sensors and Tolerance; give Reset a rising edge when the channels agree.",
+                "number decided, cause recalled 85 %",
+            ),
+            codes::INPUT_STATUS_OFF,
+            codes::RESET_HELD,
+            diagnostic(
+                0xF170,
+                "A channel is above High Limit.",
+                "Bring the measured value back into its range.",
+                "decided",
+            ),
+            diagnostic(
+                0xF171,
+                "A channel is below Low Limit.",
+                "Bring the measured value back into its range.",
+                "decided",
+            ),
+            diagnostic(
+                0xF172,
+                "The channels differ by more than Tolerance now.",
+                "Check the sensors and Tolerance.",
+                "decided",
+            ),
+            diagnostic(0xF174, "Cold start: a reset is awaited.", "Give Reset a rising edge.", "decided"),
+            diagnostic(0xF173, "A reset is awaited after a stop or a fault.", "Give Reset a rising edge.", "decided"),
+        ],
+        reference: "muting-and-outputs.md 8",
+        purpose: "Compares two analog channels of one quantity. O1 is on while both lie within the limits \
+                  (a value equal to a limit is inside) and within Tolerance of each other. A value \
+                  outside the limits, or a difference above Tolerance, drops O1 in that scan; the \
+                  difference becomes a fault when it lasts for the Discrepancy Time. Restart Type and \
+                  Cold Start Type say when O1 returns. HTP and LTP tell which limit was passed. Set the \
+                  module's own dual-channel mode off.",
+    }),
+};
