@@ -13,6 +13,7 @@ pub mod code;
 pub mod controller;
 pub mod instruction;
 pub mod instructions;
+pub mod modules;
 pub mod operand;
 pub mod predefined;
 pub mod types;
