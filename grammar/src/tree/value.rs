@@ -77,6 +77,9 @@ pub enum Value {
 pub struct MemberValue {
     /// The member.
     pub name: Name,
+    /// The type that the export names (`DataType` of the member's element); empty where it names none. The structure
+    /// of a module's tag is visible nowhere else.
+    pub data_type: CompactString,
     /// Its value.
     pub value: Value,
 }

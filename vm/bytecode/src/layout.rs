@@ -108,7 +108,8 @@ pub fn layouts(types: &[TypeRecord]) -> Result<Vec<TypeLayout>, LayoutError> {
     Ok(done)
 }
 
-fn layout(record: &TypeRecord, earlier: &[TypeLayout]) -> Result<TypeLayout, LayoutError> {
+/// The layout of one type whose members' types are laid out in `earlier`.
+pub fn layout(record: &TypeRecord, earlier: &[TypeLayout]) -> Result<TypeLayout, LayoutError> {
     let predefined = match record.kind {
         TypeKind::Predefined => Some(PredefinedType::by_name(&record.name).ok_or(LayoutError::NotInCatalog)?),
         TypeKind::User | TypeKind::AddOn(_) => None,
