@@ -30,6 +30,13 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("Channel_Fault_Latch", "channel_fault_latch"),
     source!("Stop_Core", "stop_core"),
     source!("DCS", "dcs"),
+    source!("DCST", "dcst"),
+    source!("DCSTL", "dcstl"),
+    source!("DCSTM", "dcstm"),
+    source!("DCM", "dcm"),
+    source!("DCSRT", "dcsrt"),
+    source!("SMAT", "smat"),
+    source!("THRSe", "thrse"),
     source!("CROUT", "crout"),
 ];
 
