@@ -28,6 +28,10 @@ impl Errors {
         self.push(ReadError::new(kind, span, message));
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// The errors, ordered by place.
     pub(crate) fn into_list(mut self) -> Vec<ReadError> {
         self.list.sort_by_key(|error| (error.span.source, error.span.start));

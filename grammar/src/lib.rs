@@ -5,9 +5,16 @@
 //! asks for a reading of it. It must never panic, recurse without a limit, or take more than
 //! linear time on any input.
 
+mod components;
 mod errors;
+mod excerpt;
+mod fields;
 pub mod limits;
+mod read;
 mod reading;
+mod text;
 pub mod tree;
+mod xml;
 
+pub use read::{Reading, read, read_path};
 pub use reading::{read_expression, read_immediate, read_number, read_tag, read_words, unescape};

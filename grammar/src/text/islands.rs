@@ -1,0 +1,115 @@
+//! What is skipped: trends, watch lists, other languages, encoded components. An island is found by
+//! the word that ends it, without a look at what is in between.
+
+use super::{Reader, declaration, refusal};
+use crate::tree::{Encoded, ErrorKind, Island, Name, ReadError, Span, Text};
+
+/// The islands: the word that begins one and the word that ends it.
+const ISLANDS: &[(&str, &str)] = &[
+    ("TREND", "END_TREND"),
+    ("QUICK_WATCH", "END_QUICK_WATCH"),
+    ("PARAMETER_CONNECTION", "END_PARAMETER_CONNECTION"),
+    ("CONFIG", "END_CONFIG"),
+    ("AUTHENTICATION_CODE", "END_AUTHENTICATION_CODE"),
+    ("CHILD_PROGRAMS", "END_CHILD_PROGRAMS"),
+    ("HISTORY_ENTRY", "END_HISTORY_ENTRY"),
+    ("LOGIC", "END_LOGIC"),
+    ("DATALOG", "END_DATALOG"),
+    ("ALARM_DEFINITION", "END_ALARM_DEFINITION"),
+    ("ST_ROUTINE", "END_ST_ROUTINE"),
+    ("FBD_ROUTINE", "END_FBD_ROUTINE"),
+    ("SFC_ROUTINE", "END_SFC_ROUTINE"),
+    ("ENCODED_DATA", "END_ENCODED_DATA"),
+];
+
+impl Reader<'_> {
+    /// Skips an island; nothing when the word begins none, or nothing ends it.
+    pub(super) fn island(&mut self, word: &str) -> Option<Island> {
+        ISLANDS.iter().find(|(begin, _)| *begin == word)?;
+        let trivia = self.cursor.leading();
+        let token = self.cursor.peek()?;
+        let kind = Name::new(word, self.cursor.span(token));
+        let start = token.0;
+        let name = self.island_name(token.2);
+        let end = self.skip_island_from(word, token.2)?;
+        let span = self.cursor.file.locate(start, end.end as usize);
+        let text = Text::new(self.cursor.file.slice(start, self.cursor.last_end()), span);
+        Some(Island { kind, name, text, trivia, span })
+    }
+
+    /// The word after the one that begins an island.
+    fn island_name(&self, after: usize) -> Option<Name> {
+        let file = self.cursor.file;
+        let rest = file.slice(after, file.text.len());
+        let blanks = rest.len() - rest.trim_start_matches([' ', '\t']).len();
+        let word = &rest[blanks..];
+        let length = word.bytes().take_while(|&byte| byte.is_ascii_alphanumeric() || byte == b'_').count();
+        let (start, end) = (after + blanks, after + blanks + length);
+        (length > 0 && blanks > 0).then(|| Name::new(&word[..length], file.locate(start, end)))
+    }
+
+    /// Goes on after the end of an island whose head was taken.
+    pub(super) fn skip_island(&mut self, word: &str) -> Option<Span> {
+        let from = self.cursor.last_end();
+        self.skip_island_from(word, from)
+    }
+
+    fn skip_island_from(&mut self, word: &str, from: usize) -> Option<Span> {
+        let &(_, end) = ISLANDS.iter().find(|(begin, _)| *begin == word)?;
+        if self.absent_ends.contains(&end) {
+            return None;
+        }
+        let file = self.cursor.file;
+        let text = file.slice(from, file.text.len());
+        let is_word = |byte: Option<&u8>| byte.is_some_and(|&byte| byte.is_ascii_alphanumeric() || byte == b'_');
+        let bytes = text.as_bytes();
+        let found = memchr::memmem::find_iter(bytes, end.as_bytes()).find(|&at| {
+            let before = at.checked_sub(1).and_then(|index| bytes.get(index));
+            !is_word(before) && !is_word(bytes.get(at + end.len())) && !begins_with_quote(bytes, at)
+        });
+        let Some(at) = found else {
+            self.absent_ends.push(end);
+            return None;
+        };
+        let end = from + at + end.len();
+        self.cursor.skip_to(end);
+        Some(file.locate(end, end))
+    }
+
+    /// `ENCODED_DATA (EncodedType := Routine, Name := "x", ...) ... END_ENCODED_DATA`
+    pub(super) fn encoded(&mut self) -> Option<Encoded> {
+        let token = self.cursor.next()?;
+        let span = self.cursor.span(token);
+        let file = self.cursor.file;
+        self.cursor.take_head();
+        let attributes = self.cursor.checked_run().and_then(|run| {
+            declaration::AttributesParser::new()
+                .parse(file, run.iter().copied())
+                .map_err(|error| refusal(file, error, ErrorKind::MalformedDeclaration, "an attribute list"))
+        });
+        let attributes = match attributes {
+            Ok(attributes) => attributes,
+            Err(error) => {
+                self.cursor.errors.push(error);
+                Vec::new()
+            }
+        };
+        let mut fields = crate::fields::Fields::new(attributes, &mut self.cursor.errors);
+        let kind = fields.name(&["EncodedType"]).unwrap_or_default();
+        let name = fields.name(&["Name"]);
+        let attributes = fields.rest();
+        let end = self.skip_island("ENCODED_DATA");
+        if end.is_none() {
+            let error = ReadError::new(ErrorKind::UnclosedBlock, span, "this block has no `END_ENCODED_DATA`");
+            self.cursor.errors.push(error);
+        }
+        Some(Encoded { kind, name, attributes, data: Vec::new(), span: span.to(end.unwrap_or(span)) })
+    }
+}
+
+/// Whether the line of a byte begins with `'`, as the lines of structured text in an L5K do.
+fn begins_with_quote(bytes: &[u8], at: usize) -> bool {
+    let line = memchr::memrchr(b'\n', &bytes[..at]).map_or(0, |newline| newline + 1);
+    let first = bytes[line..at].iter().find(|byte| !byte.is_ascii_whitespace());
+    first == Some(&b'\'')
+}

@@ -1,0 +1,54 @@
+//! `<AddOnInstructionDefinition>`.
+
+use super::cursor::Element;
+use super::{Reader, usage};
+use crate::components;
+use crate::tree::{Parameter, Usage};
+
+impl<'a> Reader<'a> {
+    pub(super) fn add_on_instruction(&mut self, element: &Element<'a>, around: Usage) {
+        let fields = element.fields(&["Name", "Use"], &mut self.xml.errors);
+        let mut add_on = components::add_on_instruction(element.name_of("Name"), fields, element.span);
+        add_on.usage = usage(element, around);
+        while let Some(child) = self.xml.child() {
+            match child.name {
+                "Description" => add_on.description = self.description(),
+                "Parameters" => {
+                    while let Some(parameter) = self.xml.child() {
+                        let parameter = self.parameter(&parameter);
+                        add_on.parameters.push(parameter);
+                    }
+                }
+                "LocalTags" => {
+                    while let Some(tag) = self.xml.child() {
+                        let tag = self.tag(&tag, Usage::Target);
+                        add_on.local_tags.push(tag);
+                    }
+                }
+                "Routines" => {
+                    while let Some(routine) = self.xml.child() {
+                        let routine = self.routine(&routine, Usage::Target);
+                        add_on.routines.push(routine);
+                    }
+                }
+                _ => self.xml.skip(),
+            }
+        }
+        self.file.add_on_instructions.push(add_on);
+    }
+
+    fn parameter(&mut self, element: &Element<'a>) -> Parameter {
+        let fields = element.fields(&["Name", "DataType", "Dimensions"], &mut self.xml.errors);
+        let mut parameter = components::parameter(element.name_of("Name"), fields, element.span);
+        parameter.data_type = element.optional_name("DataType");
+        parameter.dimensions = self.dimensions(element.get("Dimensions"));
+        while let Some(child) = self.xml.child() {
+            match child.name {
+                "Description" => parameter.description = self.description(),
+                "DefaultData" => parameter.default.extend(self.data(&child)),
+                _ => self.xml.skip(),
+            }
+        }
+        parameter
+    }
+}
