@@ -125,4 +125,3 @@ pub trait Channel: Sized {
     /// The MajorFaultRecord of a program (11 words), in plain form; `None` when there is no such program.
     fn fault_record(&self, program: ProgramIndex) -> Option<[i32; 11]>;
 }
-

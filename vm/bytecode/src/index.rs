@@ -13,6 +13,12 @@ macro_rules! index {
                     self.0 as usize
                 }
             }
+
+            impl core::fmt::Display for $name {
+                fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                    core::fmt::Display::fmt(&self.0, f)
+                }
+            }
         )*
     };
 }

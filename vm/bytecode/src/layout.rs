@@ -119,7 +119,8 @@ pub fn layout(record: &TypeRecord, earlier: &[TypeLayout]) -> Result<TypeLayout,
     }
     let mut layout = TypeLayout {
         depth: 1,
-        holds_backing: predefined.is_some_and(|known| known.backs_one_call) || matches!(record.kind, TypeKind::AddOn(_)),
+        holds_backing: predefined.is_some_and(|known| known.backs_one_call)
+            || matches!(record.kind, TypeKind::AddOn(_)),
         ..TypeLayout::default()
     };
     let mut packing = Packing::default();
@@ -245,15 +246,8 @@ pub fn fields(types: &[TypeRecord], layouts: &[TypeLayout], type_reference: Type
         word_cell: u32,
     }
     let mut out = Vec::new();
-    let mut stack = alloc::vec![Pending {
-        type_reference,
-        elements: 1,
-        array: false,
-        byte: 0,
-        bit: 0,
-        bit_cell: 0,
-        word_cell: 0
-    }];
+    let mut stack =
+        alloc::vec![Pending { type_reference, elements: 1, array: false, byte: 0, bit: 0, bit_cell: 0, word_cell: 0 }];
     while let Some(item) = stack.pop() {
         for element_index in 0..item.elements {
             match item.type_reference {

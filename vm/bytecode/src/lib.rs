@@ -3,6 +3,8 @@
 //! - [`image`] holds the records of an image, [`mod@format`] its code and operand bytes, [`operand`] the typed operands;
 //! - [`layout`] says which cells a type takes and which bytes it has in the Logix memory layout;
 //! - [`limits`] holds every bound, with its reason;
+//! - [`container`] is the file, [`signature`] what is signed and how, [`text`] the canonical text of every record;
+//! - [`verify`] trusts nobody: it alone makes an [`AdmittedImage`], and [`error`] has one variant for each of its rules;
 //! - [`channel`] and [`observer`] are what the two interpreters have in common: an interface, and nothing that computes.
 //!
 //! This crate reads the catalog and nothing else of this project. It executes nothing.
@@ -24,6 +26,9 @@ extern crate alloc;
 
 pub mod admitted;
 pub mod channel;
+pub mod code;
+pub mod container;
+pub mod error;
 pub mod format;
 pub mod image;
 pub mod index;
@@ -31,5 +36,12 @@ pub mod layout;
 pub mod limits;
 pub mod observer;
 pub mod operand;
+pub mod signature;
+pub mod text;
+pub mod verify;
 
-pub use admitted::AdmittedImage;
+pub use admitted::{AdmittedImage, CellRange, CellSet};
+pub use container::{ReadImage, encode, read};
+pub use error::ImageError;
+pub use signature::seal;
+pub use verify::{admit, admit_read};

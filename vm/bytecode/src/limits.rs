@@ -57,6 +57,19 @@ pub const BACKWARD_JUMPS: u32 = 1000;
 pub const COPY_BYTES: u32 = 1 << 16;
 /// Elements of one array tag.
 pub const ARRAY_ELEMENTS: u32 = 1 << 20;
+/// Settings of one declaration.
+pub const ATTRIBUTES: usize = 256;
+/// Safety modules: a rack or network of the real controller holds far fewer.
+pub const MODULES: usize = 4096;
+/// Lines of the tag map.
+pub const MAP_LINES: usize = 1 << 16;
+/// Attributes that GSV and SSV name.
+pub const SYSTEM_VALUES: usize = 4096;
+/// Event tasks that EVENT names: the real controller has at most 32 tasks.
+pub const EVENT_TASKS: usize = 32;
+/// Instructions that one scan can execute without a backward jump, subroutines counted at each call: the budget of a
+/// scan is compared only at backward jumps and at its end, so this bounds how late that may be.
+pub const STRAIGHT_INSTRUCTIONS: u64 = 1 << 24;
 /// Longest name in an image: 40 characters for a component, more for module tags and hidden members.
 pub const NAME_BYTES: usize = 255;
 /// Longest period of a safety task in microseconds (1756-RM093: 500 ms).

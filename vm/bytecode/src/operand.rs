@@ -9,6 +9,10 @@ use twinrung_catalog::Element;
 use crate::format;
 use crate::index::{AddOnIndex, EventTaskIndex, OperandIndex, RoutineIndex, SystemValueIndex, TagIndex, TypeIndex};
 
+mod decode;
+
+pub use decode::DecodeError;
+
 /// One entry of the operand table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OperandRecord {
