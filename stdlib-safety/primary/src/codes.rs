@@ -8,3 +8,5 @@ pub(crate) const RESET_HELD: i32 = 0x05;
 pub(crate) const INPUT_STATUS: i32 = 0x20;
 /// Fault and diagnostic: Output Status lost, Output Status OFF. muting-and-outputs.md 1.6, recalled 75 %.
 pub(crate) const OUTPUT_STATUS: i32 = 0x21;
+/// Diagnostic of DCSRT and THRSe: actuated but not armed, release first. dual-channel-inputs.md 1.9, decided.
+pub(crate) const NOT_ARMED: i32 = 0xF130;

@@ -15,6 +15,11 @@ impl Default for Edge {
 }
 
 impl Edge {
+    /// A memory that starts as OFF: an input that is on when the instruction comes alive is an edge.
+    pub(crate) fn from_off() -> Edge {
+        Edge { previous: false }
+    }
+
     /// Samples the input: whether it went from 0 to 1 since the last sample.
     pub(crate) fn rises(&mut self, input: bool) -> bool {
         let rises = input && !self.previous;

@@ -21,13 +21,18 @@
     )
 )]
 
+mod analog;
 mod codes;
 mod dual_channel;
 mod edge;
 mod members;
+mod metal_form;
+mod muting;
 mod outputs;
 mod restart;
+mod selector;
 mod state;
 mod timer;
+mod version_14;
 
 pub use state::State;

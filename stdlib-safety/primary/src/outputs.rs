@@ -2,3 +2,4 @@
 
 pub(crate) mod crout;
 pub(crate) mod feedback;
+pub(crate) mod rout;

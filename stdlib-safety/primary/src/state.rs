@@ -62,6 +62,64 @@ macro_rules! states {
 states! {
     /// Dual Channel Input Stop.
     Dcs in dual_channel::dcs;
+    /// Dual Channel Input Stop with Test.
+    Dcst in dual_channel::dcst;
+    /// Dual Channel Input Stop with Test and Lock.
+    Dcstl in dual_channel::dcstl;
+    /// Dual Channel Input Stop with Test and Mute.
+    Dcstm in dual_channel::dcstm;
+    /// Dual Channel Input Monitor.
+    Dcm in dual_channel::dcm;
+    /// Dual Channel Input Start.
+    Dcsrt in dual_channel::dcsrt;
+    /// Safety Mat.
+    Smat in dual_channel::smat;
+    /// Two-Hand Run Station Enhanced.
+    Thrse in dual_channel::thrse;
+    /// Two Sensor Asymmetrical Muting.
+    Tsam in muting::tsam;
+    /// Two Sensor Symmetrical Muting.
+    Tssm in muting::tssm;
+    /// Four Sensor Bi-directional Muting.
+    Fsbm in muting::fsbm;
+    /// Dual Channel Analog Input of DINT values.
+    Dca in analog::dca;
+    /// Dual Channel Analog Input of REAL values.
+    Dcaf in analog::dcaf;
+    /// Redundant Output.
+    Rout in outputs::rout;
     /// Configurable Redundant Output.
     Crout in outputs::crout;
+    /// Diverse Input.
+    Din in version_14::din;
+    /// Redundant Input.
+    Rin in version_14::rin;
+    /// Enable Pendant.
+    Enpend in version_14::enpend;
+    /// Emergency Stop.
+    Estop in version_14::estop;
+    /// Light Curtain.
+    Lc in version_14::lc;
+    /// Five Position Mode Selector.
+    Fpms in version_14::fpms;
+    /// Two-Hand Run Station.
+    Thrs in version_14::thrs;
+    /// Eight Position Mode Selector.
+    Epms in metal_form::epms;
+    /// Crankshaft Position Monitor.
+    Cpm in metal_form::cpm;
+    /// Camshaft Monitor.
+    Csm in metal_form::csm;
+    /// Auxiliary Valve Control.
+    Avc in metal_form::avc;
+    /// Main Valve Control.
+    Mvc in metal_form::mvc;
+    /// Maintenance Manual Valve Control.
+    Mmvc in metal_form::mmvc;
+    /// Clutch Brake Inch Mode.
+    Cbim in metal_form::cbim;
+    /// Clutch Brake Single Stroke Mode.
+    Cbssm in metal_form::cbssm;
+    /// Clutch Brake Continuous Mode.
+    Cbcm in metal_form::cbcm;
 }

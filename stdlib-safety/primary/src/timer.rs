@@ -28,6 +28,14 @@ impl Timer {
         if condition { self.start(now_ms) } else { self.clear() }
     }
 
+    /// A limit "for T" of `v14-and-metal-form.md` 1.1 rule 2: whether `condition` has now lasted `limit_ms`, or ends in
+    /// this scan after it lasted longer (scans were skipped).
+    pub(crate) fn lasts(&mut self, condition: bool, now_ms: i64, limit_ms: i32) -> bool {
+        let late = self.exceeded(now_ms, limit_ms);
+        self.follow(condition, now_ms);
+        late || self.reached(now_ms, limit_ms)
+    }
+
     /// Whether it runs.
     pub(crate) fn runs(&self) -> bool {
         self.start_ms.is_some()

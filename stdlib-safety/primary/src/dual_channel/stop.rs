@@ -3,6 +3,7 @@
 //! A scan passes through [`Stop::begin`], [`Stop::judge`] and [`Stop::decide`]; between them each instruction does what
 //! it has beyond DCS.
 
+use super::dcstm::{NOT_ACTIVE_AFTER_TEST, NOT_SAFE_IN_TEST};
 use super::pair::{CYCLE_A, CYCLE_B, Channels, Consistency, DISCREPANCY_A_ACTIVE, DISCREPANCY_B_ACTIVE, Pair};
 use crate::codes::{INPUT_STATUS, NONE, RESET_HELD};
 use crate::edge::Edge;
@@ -128,7 +129,7 @@ impl Stop {
         if self.fault == NONE {
             if new_fault != NONE {
                 self.fault = new_fault;
-                self.cycled = !matches!(new_fault, DISCREPANCY_A_ACTIVE | DISCREPANCY_B_ACTIVE | CYCLE_A | CYCLE_B);
+                self.cycled = !demands_cycle(new_fault);
                 self.drop_grant();
                 found.cold_grant = false;
             }
@@ -226,3 +227,64 @@ impl Stop {
         self.ready_before = false;
     }
 }
+
+/// Whether both channels must be seen safe after this fault before a Reset clears it (4.4).
+fn demands_cycle(fault: i32) -> bool {
+    matches!(
+        fault,
+        DISCREPANCY_A_ACTIVE | DISCREPANCY_B_ACTIVE | CYCLE_A | CYCLE_B | NOT_SAFE_IN_TEST | NOT_ACTIVE_AFTER_TEST
+    )
+}
+
+/// [`members!`](crate::members::members) with the members that the whole family has, and `read` and `write` for them.
+macro_rules! stop_members {
+    (
+        $backing:path;
+        inputs { $($input:ident = $input_name:literal),* $(,)? }
+        outputs { $($output:ident = $output_name:literal),* $(,)? }
+    ) => {
+        crate::members::members! {
+            $backing;
+            inputs {
+                INPUT_TYPE = "InputType",
+                DISCREPANCY_TIME = "DiscrepancyTime",
+                RESTART_TYPE = "RestartType",
+                COLD_START_TYPE = "ColdStartType",
+                CHANNEL_A = "ChannelA",
+                CHANNEL_B = "ChannelB",
+                INPUT_STATUS = "InputStatus",
+                RESET = "Reset",
+                $($input = $input_name,)*
+            }
+            outputs {
+                O1 = "O1",
+                FP = "FP",
+                FAULT_CODE = "FaultCode",
+                DIAGNOSTIC_CODE = "DiagnosticCode",
+                $($output = $output_name,)*
+            }
+        }
+
+        fn read(members: &Members) -> $crate::dual_channel::stop::Inputs {
+            $crate::dual_channel::stop::Inputs {
+                input_type: members[INPUT_TYPE],
+                discrepancy_ms: members[DISCREPANCY_TIME],
+                restart_automatic: members[RESTART_TYPE] != 0,
+                cold_start_automatic: members[COLD_START_TYPE] != 0,
+                channel_a: members[CHANNEL_A] != 0,
+                channel_b: members[CHANNEL_B] != 0,
+                input_status: members[INPUT_STATUS] != 0,
+                reset: members[RESET] != 0,
+            }
+        }
+
+        fn write(stop: &$crate::dual_channel::stop::Stop, diagnostic: i32, members: &mut Members) {
+            members[O1] = i32::from(stop.output());
+            members[FP] = i32::from(stop.fault != $crate::codes::NONE);
+            members[FAULT_CODE] = stop.fault;
+            members[DIAGNOSTIC_CODE] = diagnostic;
+        }
+    };
+}
+
+pub(crate) use stop_members;

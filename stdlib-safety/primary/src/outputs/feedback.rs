@@ -11,7 +11,7 @@ const DID_NOT_TURN_ON: i32 = 0x5006;
 const DID_NOT_TURN_OFF: i32 = 0x5009;
 
 /// The channels of which something is true.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Which {
     pub(crate) first: bool,
     pub(crate) second: bool,
