@@ -29,6 +29,8 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("Pair_Evaluator", "pair_evaluator"),
     source!("Channel_Fault_Latch", "channel_fault_latch"),
     source!("Stop_Core", "stop_core"),
+    source!("Muting_Core", "muting_core"),
+    source!("Analog_Core", "analog_core"),
     source!("DCS", "dcs"),
     source!("DCST", "dcst"),
     source!("DCSTL", "dcstl"),
@@ -38,6 +40,12 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("SMAT", "smat"),
     source!("THRSe", "thrse"),
     source!("CROUT", "crout"),
+    source!("ROUT", "rout"),
+    source!("DCA", "dca"),
+    source!("DCAF", "dcaf"),
+    source!("TSAM", "tsam"),
+    source!("TSSM", "tssm"),
+    source!("FSBM", "fsbm"),
 ];
 
 /// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
