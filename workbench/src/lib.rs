@@ -1,1 +1,18 @@
-//! What engineers do with a controller: stimulus, recordings, diagrams, measurements.
+//! What engineers do with a controller: drive it with a stimulus, record it, look at the timing diagram, measure it.
+//!
+//! It may use the controller and, through it, both channels; it never executes logic itself, and it never writes a file:
+//! the command does.
+
+#![forbid(unsafe_code)]
+
+pub mod diagram;
+pub mod names;
+pub mod recording;
+pub mod run;
+pub mod signal;
+pub mod stimulus;
+
+pub use recording::{Recording, Row};
+pub use run::{Outcome, Run, RunError};
+pub use signal::{Signal, SignalError, Value};
+pub use stimulus::{Stimulus, StimulusError};

@@ -5,11 +5,10 @@ use alloc::vec::Vec;
 use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, WordCell};
 use twinrung_bytecode::observer::{Observer, Silent};
-use twinrung_bytecode::{AdmittedImage, limits};
+use twinrung_bytecode::{AdmittedImage, CellRange, limits};
 
 use crate::clock::{NoClock, Part, ScanClock};
 use crate::compare::{compare, mask};
-use crate::connections::{CellRange, Connections};
 use crate::fault::{SafetyFault, StopReason};
 use crate::image_check::ImageCheck;
 use crate::mode::{Mode, ModeRequest};
@@ -77,15 +76,14 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         let budget = u64::from(task.watchdog_us).saturating_mul(limits::BUDGET_PER_MICROSECOND);
         let primary = A::load(&image).map_err(LoadError::Primary)?;
         let partner = B::load(&image).map_err(LoadError::Partner)?;
-        let Connections { frozen, published } = Connections::of(&image);
         let records = image.image();
         let values = records.system_values.iter().map(|value| value.first as usize).max().unwrap_or(0);
         Ok(Controller {
             check: ImageCheck::new(bytes),
             primary,
             partner,
-            frozen,
-            published,
+            frozen: image.frozen().to_vec(),
+            published: image.published().to_vec(),
             input_bits: records.initial_bits.clone(),
             input_words: records.initial_words.clone(),
             output_bits: alloc::vec![0; records.initial_bits.len()],
@@ -276,12 +274,12 @@ impl<A: Channel, B: Channel> Controller<A, B> {
 
     fn freeze(&mut self) {
         for range in &self.frozen {
-            for (offset, value) in self.input_bits.get(range.bits()).unwrap_or_default().iter().enumerate() {
+            for (offset, value) in self.input_bits.get(bits_of(range)).unwrap_or_default().iter().enumerate() {
                 let cell = BitCell(range.bit_cell.wrapping_add(offset as u32));
                 self.primary.set_bit(cell, *value == 1);
                 self.partner.set_bit(cell, *value == 1);
             }
-            for (offset, value) in self.input_words.get(range.words()).unwrap_or_default().iter().enumerate() {
+            for (offset, value) in self.input_words.get(words_of(range)).unwrap_or_default().iter().enumerate() {
                 let cell = WordCell(range.word_cell.wrapping_add(offset as u32));
                 self.primary.set_word(cell, *value);
                 self.partner.set_word(cell, *value);
@@ -314,16 +312,26 @@ impl<A: Channel, B: Channel> Controller<A, B> {
     fn publish(&mut self) {
         let own = mask(A::REPRESENTATION);
         for range in &self.published {
-            let source = self.primary.bits().get(range.bits()).unwrap_or_default();
-            let target = self.output_bits.get_mut(range.bits()).unwrap_or_default();
+            let source = self.primary.bits().get(bits_of(range)).unwrap_or_default();
+            let target = self.output_bits.get_mut(bits_of(range)).unwrap_or_default();
             for (to, from) in target.iter_mut().zip(source) {
                 *to = from ^ own as u8;
             }
-            let source = self.primary.words().get(range.words()).unwrap_or_default();
-            let target = self.output_words.get_mut(range.words()).unwrap_or_default();
+            let source = self.primary.words().get(words_of(range)).unwrap_or_default();
+            let target = self.output_words.get_mut(words_of(range)).unwrap_or_default();
             for (to, from) in target.iter_mut().zip(source) {
                 *to = (from ^ own) as i32;
             }
         }
     }
+}
+
+fn bits_of(range: &CellRange) -> core::ops::Range<usize> {
+    let begin = range.bit_cell as usize;
+    begin..begin.saturating_add(range.bit_cells as usize)
+}
+
+fn words_of(range: &CellRange) -> core::ops::Range<usize> {
+    let begin = range.word_cell as usize;
+    begin..begin.saturating_add(range.word_cells as usize)
 }

@@ -22,7 +22,6 @@ extern crate alloc;
 
 mod clock;
 mod compare;
-mod connections;
 mod controller;
 mod fault;
 mod image_check;
@@ -30,7 +29,6 @@ mod mode;
 
 pub use clock::{NoClock, Part, ScanClock};
 pub use compare::Difference;
-pub use connections::{CellRange, Connections};
 pub use controller::{Controller, LoadError, ScanReport};
 pub use fault::{SafetyFault, StopReason};
 pub use image_check::IMAGE_CHECK_BYTES_PER_SCAN;

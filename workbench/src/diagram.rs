@@ -1,0 +1,159 @@
+//! The timing diagram of a recording, as manuals draw it: one line for each tag, time from left to right.
+
+use std::fmt::Write;
+
+use crate::recording::Recording;
+use crate::signal::Value;
+
+/// How a diagram is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Style {
+    /// Columns of the terminal.
+    pub columns: usize,
+    /// Whether escape codes may colour it.
+    pub colour: bool,
+}
+
+/// Narrowest plot that is still worth looking at.
+const LEAST_PLOT: usize = 20;
+/// Longest name shown whole.
+const LONGEST_NAME: usize = 32;
+
+const LOW: char = '▁';
+const HIGH: char = '█';
+const BOTH: char = '▒';
+
+/// Draws a recording. BOOLs are bars (`▁` off, `█` on, `▒` both within one column); a number is written where it changes.
+pub fn draw(recording: &Recording, style: Style) -> String {
+    let mut out = String::new();
+    if recording.rows.is_empty() {
+        return out;
+    }
+    let names: Vec<String> = recording.names.iter().map(|name| shortened(name)).collect();
+    let gutter = names.iter().map(|name| name.chars().count()).max().unwrap_or(0) + 2;
+    let plot = style.columns.saturating_sub(gutter).max(LEAST_PLOT);
+    let per_column = recording.rows.len().div_ceil(plot).max(1);
+    axis(&mut out, recording, gutter, per_column);
+    for (column, name) in names.iter().enumerate() {
+        let pad = gutter - name.chars().count();
+        let _ = write!(out, "{name}{:pad$}", "");
+        let values: Vec<&[_]> = recording.rows.chunks(per_column).collect();
+        if matches!(recording.rows[0].values.get(column), Some(Value::Bool(_))) {
+            bars(&mut out, values.iter().map(|rows| rows.iter().filter_map(|row| row.values.get(column))), style);
+        } else {
+            numbers(&mut out, values.iter().map(|rows| rows.last().and_then(|row| row.values.get(column))));
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn shortened(name: &str) -> String {
+    let length = name.chars().count();
+    if length <= LONGEST_NAME {
+        return name.to_owned();
+    }
+    let tail: String = name.chars().skip(length - (LONGEST_NAME - 1)).collect();
+    format!("…{tail}")
+}
+
+fn axis(out: &mut String, recording: &Recording, gutter: usize, per_column: usize) {
+    let columns = recording.rows.len().div_ceil(per_column);
+    let _ = write!(out, "{:<gutter$}", "ms");
+    let mut at = 0;
+    while at < columns {
+        let label = recording.rows[at * per_column].time_ms.to_string();
+        let step = (label.len() + 2).next_multiple_of(10).max(10);
+        let room = step.min(columns - at);
+        if label.len() < room || at == 0 {
+            let _ = write!(out, "|{label:<width$}", width = room.saturating_sub(1));
+        }
+        at += step;
+    }
+    let trimmed = out.trim_end().len();
+    out.truncate(trimmed);
+    out.push('\n');
+}
+
+fn bars<'a>(
+    out: &mut String,
+    columns: impl Iterator<Item = impl Iterator<Item = &'a Value>>,
+    style: Style,
+) {
+    let mut coloured = false;
+    for column in columns {
+        let (mut on, mut off) = (false, false);
+        for value in column {
+            let high = value.is_true();
+            on |= high;
+            off |= !high;
+        }
+        let mark = match (on, off) {
+            (true, false) => HIGH,
+            (true, true) => BOTH,
+            _ => LOW,
+        };
+        if style.colour && (mark != LOW) != coloured {
+            out.push_str(if coloured { "\u{1b}[0m" } else { "\u{1b}[32m" });
+            coloured = !coloured;
+        }
+        out.push(mark);
+    }
+    if coloured {
+        out.push_str("\u{1b}[0m");
+    }
+}
+
+fn numbers<'a>(out: &mut String, columns: impl Iterator<Item = Option<&'a Value>>) {
+    let mut shown: Option<&Value> = None;
+    let mut pending = String::new();
+    for value in columns {
+        if value != shown {
+            shown = value;
+            if let Some(value) = value {
+                // A value that has no room is cut off by the next one; `…` says so.
+                if !pending.is_empty() {
+                    out.pop();
+                    out.push('…');
+                }
+                pending = value.to_string().chars().rev().collect();
+            }
+        }
+        out.push(pending.pop().unwrap_or('·'));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Row;
+
+    fn recording(values: &[(u64, bool, i32)]) -> Recording {
+        Recording {
+            names: vec!["Motor".into(), "Step".into()],
+            rows: values
+                .iter()
+                .map(|(time_ms, motor, step)| Row {
+                    time_ms: *time_ms,
+                    values: vec![Value::Bool(*motor), Value::Integer(*step)],
+                })
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn diagram_when_every_scan_has_a_column_then_levels_and_changes_stand_where_they_happen() {
+        let drawn = draw(
+            &recording(&[(0, false, 1), (10, false, 1), (20, true, 12), (30, true, 12), (40, false, 12)]),
+            Style { columns: 40, colour: false },
+        );
+        assert_eq!(drawn, "ms     |0\nMotor  ▁▁██▁\nStep   1·12·\n");
+    }
+
+    #[test]
+    fn diagram_when_scans_share_a_column_then_both_levels_are_marked() {
+        let rows: Vec<(u64, bool, i32)> = (0..40).map(|scan| (scan * 10, scan == 3, 0)).collect();
+        let drawn = draw(&recording(&rows), Style { columns: 27, colour: false });
+        assert_eq!(drawn.lines().nth(1), Some("Motor  ▁▒▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁"));
+    }
+}
