@@ -6,6 +6,11 @@ use twinrung_grammar::tree::Sources;
 
 fn main() {
     for path in std::env::args().skip(1) {
+        if let Some(path) = path.strip_prefix("--print=") {
+            let reading = twinrung_grammar::read_path(&mut Sources::new(), Path::new(path));
+            print!("{}", twinrung_grammar::print_file(&reading.file));
+            continue;
+        }
         let mut sources = Sources::new();
         let start = std::time::Instant::now();
         let reading = twinrung_grammar::read_path(&mut sources, Path::new(&path));

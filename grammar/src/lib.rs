@@ -10,11 +10,13 @@ mod errors;
 mod excerpt;
 mod fields;
 pub mod limits;
+mod print;
 mod read;
 mod reading;
 mod text;
 pub mod tree;
 mod xml;
 
+pub use print::{print_element, print_expression, print_file, print_operand, print_rung, print_tag};
 pub use read::{Reading, read, read_path};
 pub use reading::{read_expression, read_immediate, read_number, read_tag, read_words, unescape};

@@ -1,7 +1,8 @@
 //! `$` escapes of quoted texts.
 //!
 //! In a text for people (double quotes, RM084 p46): `$$ $' $Q $L $N $P $R $T` and `$xxxx`, four
-//! hexadecimal digits of a character. In a string of data (single quotes): the same letters, and
+//! hexadecimal digits of a character. A line ends with `$N` there, and with a line feed here, as in
+//! an L5X. In a string of data (single quotes): the same letters, and
 //! `$xx`, two hexadecimal digits of a byte.
 
 /// The text that a double-quoted text stands for, or nothing when an escape does not exist.
@@ -18,8 +19,7 @@ pub(crate) fn unescape_text(quoted: &str) -> Option<std::borrow::Cow<'_, str>> {
             '$' => text.push('$'),
             '\'' => text.push('\''),
             '"' | 'Q' => text.push('"'),
-            'L' => text.push('\n'),
-            'N' => text.push_str("\r\n"),
+            'L' | 'N' => text.push('\n'),
             'P' => text.push('\u{c}'),
             'R' => text.push('\r'),
             'T' => text.push('\t'),
@@ -39,22 +39,15 @@ pub(crate) fn unescape_text(quoted: &str) -> Option<std::borrow::Cow<'_, str>> {
 
 /// A text as it is written between double quotes; [`unescape_text`] is its inverse.
 pub(crate) fn escape_text(text: &str, out: &mut String) {
-    let mut characters = text.chars().peekable();
-    while let Some(character) = characters.next() {
+    for character in text.chars() {
         match character {
             '$' => out.push_str("$$"),
             '"' => out.push_str("$Q"),
-            '\r' if characters.peek() == Some(&'\n') => {
-                characters.next();
-                out.push_str("$N");
-            }
+            '\n' => out.push_str("$N"),
             '\r' => out.push_str("$R"),
-            '\n' => out.push_str("$L"),
             '\t' => out.push_str("$T"),
             '\u{c}' => out.push_str("$P"),
-            control if control.is_control() && (control as u32) <= 0xFFFF => {
-                out.push_str(&format!("${:04X}", control as u32));
-            }
+            control if control.is_control() => out.push_str(&format!("${:04X}", control as u32)),
             plain => out.push(plain),
         }
     }

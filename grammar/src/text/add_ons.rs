@@ -17,10 +17,10 @@ impl Reader<'_> {
                 "ROUTINE" | "ST_ROUTINE" | "FBD_ROUTINE" | "SFC_ROUTINE" => {
                     add_on.routines.extend(self.routine(word));
                 }
-                "ENCODED_DATA" => {
-                    let encoded = self.encoded();
-                    self.file.encoded.extend(encoded);
-                }
+                "ENCODED_DATA" => match self.encoded_routine() {
+                    Ok(routine) => add_on.routines.push(routine),
+                    Err(encoded) => self.file.encoded.push(encoded),
+                },
                 _ => {
                     if let Some(token) = self.cursor.peek() {
                         match self.island(word) {

@@ -1,13 +1,14 @@
 //! What the grammar of declarations does when it has recognised something.
 
 use lalrpop_util::ParseError;
+use logos::Logos;
 
 use super::token::Token;
 use crate::excerpt::Excerpt;
 use crate::limits::SUBSCRIPTS_MAX;
 use crate::reading::escape::unescape_text;
 use crate::reading::number::clip;
-use crate::tree::{Attribute, BitPlace, Dimensions, ErrorKind, Name, Operand, OriginMap, ReadError, Spanned, Text, Value};
+use crate::tree::{Attribute, BitPlace, CompactString, Dimensions, ErrorKind, Name, Operand, OriginMap, ReadError, Spanned, Text, Value};
 
 type Failure = ParseError<usize, Token, ReadError>;
 
@@ -63,7 +64,6 @@ pub(crate) struct TypedName {
 #[derive(Debug)]
 pub(crate) struct Property {
     pub name: Name,
-    pub attributes: Vec<Attribute>,
     pub value: Option<Value>,
 }
 
@@ -160,21 +160,32 @@ pub(super) fn tag(
     })
 }
 
-/// A run of tokens as an operand: blanks and line breaks become one blank.
+/// A run of tokens as text: blanks, line breaks and comments become one blank.
+pub(super) fn run(file: Excerpt<'_>, l: usize, r: usize) -> Text {
+    let operand = operand(file, l, r);
+    Text { text: operand.text, span: operand.span }
+}
+
+/// A run of tokens as an operand: blanks, line breaks and comments become one blank.
 pub(super) fn operand(file: Excerpt<'_>, l: usize, r: usize) -> Operand {
     let (raw, span) = (file.slice(l, r), file.locate(l, r));
-    if !raw.contains(|c: char| c.is_ascii_whitespace()) && file.map.is_none() {
+    let layout = ["\n", "\t", "\r", "  ", "//", "(*"];
+    if file.map.is_none() && !layout.iter().any(|piece| raw.contains(piece)) {
         return Operand { text: raw.into(), span, origin: None };
     }
-    let mut text = crate::tree::CompactString::default();
+    let mut text = CompactString::default();
     let mut map = Vec::new();
-    for word in raw.split_ascii_whitespace() {
-        if !text.is_empty() {
+    let mut end = 0;
+    for (token, range) in Token::lexer(raw).spanned() {
+        if token == Ok(Token::Comment) {
+            continue;
+        }
+        if !text.is_empty() && range.start > end {
             text.push(' ');
         }
-        let offset = l + (word.as_ptr() as usize - raw.as_ptr() as usize);
-        map.push((text.len() as u32, file.locate(offset, offset).start));
-        text.push_str(word);
+        map.push((text.len() as u32, file.locate(l + range.start, l + range.end).start));
+        end = range.end;
+        text.push_str(&raw[range]);
     }
     Operand { text, span, origin: Some(Box::new(OriginMap::new(map))) }
 }

@@ -131,11 +131,6 @@ impl<'a> Cursor<'a> {
         self.waiting.extend(comments.into_iter().map(|text| Waiting { text, trails: false }));
     }
 
-    /// Where the next token begins, or the end of the file.
-    pub(crate) fn offset(&mut self) -> usize {
-        self.peek().map_or(self.file.text.len(), |(start, ..)| start)
-    }
-
     /// Where the last token ended.
     pub(crate) fn last_end(&self) -> usize {
         self.last_end
@@ -164,6 +159,12 @@ impl<'a> Cursor<'a> {
             self.next();
         }
         found
+    }
+
+    /// Drops comments that were met in a piece that is kept as it stands.
+    pub(crate) fn forget_comments(&mut self) {
+        self.waiting.clear();
+        self.peeked = None;
     }
 
     /// Whether no comment ends in the rest of the file.

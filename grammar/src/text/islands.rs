@@ -2,7 +2,8 @@
 //! the word that ends it, without a look at what is in between.
 
 use super::{Reader, declaration, refusal};
-use crate::tree::{Encoded, ErrorKind, Island, Name, ReadError, Span, Text};
+use crate::fields::Fields;
+use crate::tree::{Encoded, ErrorKind, Island, Name, Span, Text};
 
 /// The islands: the word that begins one and the word that ends it.
 const ISLANDS: &[(&str, &str)] = &[
@@ -26,13 +27,16 @@ impl Reader<'_> {
     /// Skips an island; nothing when the word begins none, or nothing ends it.
     pub(super) fn island(&mut self, word: &str) -> Option<Island> {
         ISLANDS.iter().find(|(begin, _)| *begin == word)?;
-        let trivia = self.cursor.leading();
         let token = self.cursor.peek()?;
         let kind = Name::new(word, self.cursor.span(token));
         let start = token.0;
         let name = self.island_name(token.2);
-        let end = self.skip_island_from(word, token.2)?;
-        let span = self.cursor.file.locate(start, end.end as usize);
+        let trivia = self.cursor.leading();
+        if self.skip_island_from(word, token.2).is_none() {
+            self.unclosed(kind.span, &format!("END_{word}"));
+            self.cursor.next();
+        }
+        let span = self.cursor.file.locate(start, self.cursor.last_end());
         let text = Text::new(self.cursor.file.slice(start, self.cursor.last_end()), span);
         Some(Island { kind, name, text, trivia, span })
     }
@@ -48,10 +52,25 @@ impl Reader<'_> {
         (length > 0 && blanks > 0).then(|| Name::new(&word[..length], file.locate(start, end)))
     }
 
-    /// Goes on after the end of an island whose head was taken.
-    pub(super) fn skip_island(&mut self, word: &str) -> Option<Span> {
+    /// Takes the rest of an island whose head was taken: the text up to the word that ends it.
+    pub(super) fn island_body(&mut self, word: &str, head: Span) -> Text {
         let from = self.cursor.last_end();
-        self.skip_island_from(word, from)
+        // Comments after the head are part of the body.
+        self.cursor.forget_comments();
+        match self.skip_island_from(word, from) {
+            Some(end) => {
+                let to = (end.end as usize).saturating_sub("END_".len() + word.len()).max(from);
+                let to = to.saturating_sub(self.cursor.file.start as usize);
+                let body = self.cursor.file.slice(from, to);
+                let blanks = body.len() - body.trim_start().len();
+                let start = (from + blanks).min(to);
+                Text::new(body.trim(), self.cursor.file.locate(start, to))
+            }
+            None => {
+                self.unclosed(head, &format!("END_{word}"));
+                Text::new("", head)
+            }
+        }
     }
 
     fn skip_island_from(&mut self, word: &str, from: usize) -> Option<Span> {
@@ -76,10 +95,10 @@ impl Reader<'_> {
         Some(file.locate(end, end))
     }
 
-    /// `ENCODED_DATA (EncodedType := Routine, Name := "x", ...) ... END_ENCODED_DATA`
-    pub(super) fn encoded(&mut self) -> Option<Encoded> {
-        let token = self.cursor.next()?;
-        let span = self.cursor.span(token);
+    /// `ENCODED_DATA (EncodedType := ROUTINE, Name := "x", ...) ... END_ENCODED_DATA`
+    pub(super) fn encoded(&mut self) -> Encoded {
+        let trivia = self.cursor.leading();
+        let span = self.cursor.next().map_or(Span::default(), |token| self.cursor.span(token));
         let file = self.cursor.file;
         self.cursor.take_head();
         let attributes = self.cursor.checked_run().and_then(|run| {
@@ -87,23 +106,17 @@ impl Reader<'_> {
                 .parse(file, run.iter().copied())
                 .map_err(|error| refusal(file, error, ErrorKind::MalformedDeclaration, "an attribute list"))
         });
-        let attributes = match attributes {
-            Ok(attributes) => attributes,
-            Err(error) => {
-                self.cursor.errors.push(error);
-                Vec::new()
-            }
-        };
-        let mut fields = crate::fields::Fields::new(attributes, &mut self.cursor.errors);
+        let attributes = attributes.unwrap_or_else(|error| {
+            self.cursor.errors.push(error);
+            Vec::new()
+        });
+        let mut fields = Fields::new(attributes, &mut self.cursor.errors);
         let kind = fields.name(&["EncodedType"]).unwrap_or_default();
         let name = fields.name(&["Name"]);
         let attributes = fields.rest();
-        let end = self.skip_island("ENCODED_DATA");
-        if end.is_none() {
-            let error = ReadError::new(ErrorKind::UnclosedBlock, span, "this block has no `END_ENCODED_DATA`");
-            self.cursor.errors.push(error);
-        }
-        Some(Encoded { kind, name, attributes, data: Vec::new(), span: span.to(end.unwrap_or(span)) })
+        let text = self.island_body("ENCODED_DATA", span);
+        let whole = span.to(text.span);
+        Encoded { kind, name, attributes, text, trivia, span: whole }
     }
 }
 

@@ -124,8 +124,7 @@ impl<'a> Reader<'a> {
                 self.component(word, token);
             }
         }
-        self.cursor.closing(&mut trivia);
-        self.end_block();
+        self.close(&mut trivia);
         if self.file.controller.is_none() {
             self.file.controller = Some(Box::new(crate::tree::Controller { trivia, ..controller }));
         }
@@ -149,7 +148,7 @@ impl<'a> Reader<'a> {
             }
             "ENCODED_DATA" => {
                 let encoded = self.encoded();
-                self.file.encoded.extend(encoded);
+                self.file.encoded.push(encoded);
             }
             _ => match self.island(word) {
                 Some(island) => self.file.islands.push(island),

@@ -4,7 +4,7 @@ use super::token::Token;
 use super::{Next, Reader};
 use crate::components;
 use crate::fields::Fields;
-use crate::tree::{ErrorKind, Name, Routine, RoutineBody};
+use crate::tree::{Encoded, ErrorKind, Name, Routine, RoutineBody};
 
 impl Reader<'_> {
     pub(super) fn program(&mut self) {
@@ -17,7 +17,10 @@ impl Reader<'_> {
                 "ROUTINE" | "ST_ROUTINE" | "FBD_ROUTINE" | "SFC_ROUTINE" => {
                     program.routines.extend(self.routine(word));
                 }
-                "ENCODED_DATA" => program.encoded.extend(self.encoded()),
+                "ENCODED_DATA" => match self.encoded_routine() {
+                    Ok(routine) => program.routines.push(routine),
+                    Err(encoded) => program.encoded.push(encoded),
+                },
                 "PROGRAM" | "TASK" | "MODULE" | "DATATYPE" | "ADD_ON_INSTRUCTION_DEFINITION" => {
                     self.unclosed(span, "END_PROGRAM");
                     break;
@@ -77,11 +80,22 @@ impl Reader<'_> {
         self.end_block();
         let mut routine = components::routine(head.name, Fields::new(head.attributes, &mut self.cursor.errors), span);
         routine.trivia = trivia;
-        routine.body = RoutineBody::Island { language: Name::new(language, span) };
-        match self.skip_island(word) {
-            Some(end) => routine.span = span.to(end),
-            None => self.unclosed(span, &format!("END_{word}")),
-        }
+        let text = self.island_body(word, span);
+        routine.span = span.to(text.span);
+        routine.body = RoutineBody::Island { language: Name::new(language, span), text };
         Some(routine)
+    }
+
+    /// An encoded routine among the routines of a program or an Add-On Instruction.
+    pub(super) fn encoded_routine(&mut self) -> Result<Routine, Encoded> {
+        let encoded = self.encoded();
+        if !encoded.kind.text.to_ascii_uppercase().ends_with("ROUTINE") {
+            return Err(encoded);
+        }
+        let name = encoded.name.unwrap_or_default();
+        let mut routine = components::routine(name, Fields::new(encoded.attributes, &mut self.cursor.errors), encoded.span);
+        routine.trivia = encoded.trivia;
+        routine.body = RoutineBody::Encoded { text: encoded.text };
+        Ok(routine)
     }
 }

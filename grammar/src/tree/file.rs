@@ -1,7 +1,7 @@
 //! A file, or a folder merged into one.
 
 use super::{
-    AddOnInstruction, Attribute, Data, DataType, Module, Name, Program, Routine, SourceId, Span, Spanned, Tag, Task,
+    AddOnInstruction, Attribute, DataType, Module, Name, Program, Routine, SourceId, Span, Spanned, Tag, Task,
     Text, Trivia,
 };
 
@@ -161,8 +161,10 @@ pub struct Encoded {
     pub name: Option<Name>,
     /// What else the file says.
     pub attributes: Vec<Attribute>,
-    /// Default or other data that stand beside it in clear.
-    pub data: Vec<Data>,
+    /// What a text file has between the head and the end; empty from an L5X.
+    pub text: Text,
+    /// Comments of the source around it.
+    pub trivia: Trivia,
     /// The whole element.
     pub span: Span,
 }
@@ -174,7 +176,7 @@ pub struct Island {
     pub kind: Name,
     /// Its name, where it has one.
     pub name: Option<Name>,
-    /// Everything from its first to its last word.
+    /// Everything from its first to its last word; empty from an L5X.
     pub text: Text,
     /// Comments of the source around it.
     pub trivia: Trivia,

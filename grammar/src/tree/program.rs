@@ -63,7 +63,7 @@ impl Routine {
     pub fn rungs(&self) -> &[Rung] {
         match &self.body {
             RoutineBody::Ladder(rungs) => rungs,
-            RoutineBody::Island { .. } | RoutineBody::Encoded => &[],
+            RoutineBody::Island { .. } | RoutineBody::Encoded { .. } => &[],
         }
     }
 }
@@ -77,7 +77,12 @@ pub enum RoutineBody {
     Island {
         /// Which language.
         language: Name,
+        /// What a text file has between the head and the end; empty from an L5X.
+        text: Text,
     },
     /// Source protection: encoded, cannot be read.
-    Encoded,
+    Encoded {
+        /// What a text file has between the head and the end; empty from an L5X.
+        text: Text,
+    },
 }

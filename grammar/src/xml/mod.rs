@@ -177,7 +177,8 @@ impl<'a> Reader<'a> {
             kind: element.name_of("EncodedType"),
             name: element.optional_name("Name"),
             attributes: element.attributes_without(&["EncodedType", "Name"]),
-            data: Vec::new(),
+            text: Text::default(),
+            trivia: Trivia::none(),
             span: element.span,
         }
     }

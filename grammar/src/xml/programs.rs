@@ -6,7 +6,7 @@ use crate::components;
 use crate::reading::number::clip;
 use crate::text::{parse_rung, rung_kind};
 use crate::tree::{
-    ErrorKind, Name, ReadError, Routine, RoutineBody, Rung, RungKind, Spanned, Trivia, Usage,
+    ErrorKind, Name, ReadError, Routine, RoutineBody, Rung, RungKind, Spanned, Text, Trivia, Usage,
 };
 
 impl<'a> Reader<'a> {
@@ -46,7 +46,7 @@ impl<'a> Reader<'a> {
         let mut routine = components::routine(element.name_of("Name"), fields, element.span);
         routine.usage = usage(element, around);
         if element.name == "EncodedData" {
-            routine.body = RoutineBody::Encoded;
+            routine.body = RoutineBody::Encoded { text: Text::default() };
             self.xml.skip();
             return routine;
         }
@@ -74,7 +74,7 @@ impl<'a> Reader<'a> {
             }
         }
         routine.body = match other {
-            Some(language) if rungs.is_empty() => RoutineBody::Island { language },
+            Some(language) if rungs.is_empty() => RoutineBody::Island { language, text: Text::default() },
             _ => RoutineBody::Ladder(rungs),
         };
         routine
