@@ -1,2 +1,73 @@
 //! The `twinrung` command.
-fn main() {}
+
+#![forbid(unsafe_code)]
+
+mod files;
+mod findings;
+mod input;
+mod terminal;
+mod verb;
+
+use std::io;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Safety ladder logic: verify, compile, sign, and run it on two interpreters that compare every safety tag.
+#[derive(Debug, Parser)]
+#[command(version, about, after_help = "FILE is a .rll, .L5K or .L5X file, a folder that is one project, or an image.\n\
+\n\
+First steps:\n  twinrung check  project.L5X                        a verdict in milliseconds\n  \
+twinrung run    samples/estop-with-contactors      what happens, scan by scan\n  \
+twinrung explain DCS                               what an instruction does, with its fault codes")]
+struct Command {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    /// Verify a project against the safety rules
+    Check(verb::check::Check),
+    /// Verify, compile and sign; prints the signatures
+    Build(verb::build::Build),
+    /// Run scans on both interpreters and record what happened
+    Run(verb::run::Run),
+    /// Show an image: signatures, sections, layout, neutral text
+    Show(verb::show::Show),
+    /// Say what differs between two projects or images
+    Diff(verb::diff::Diff),
+    /// Write .rll in its canonical form
+    Fmt(verb::fmt::Fmt),
+    /// Explain a code or an instruction
+    Explain(verb::explain::Explain),
+}
+
+/// Exit code where a file cannot be read or an argument is wrong.
+const UNREADABLE: u8 = 2;
+
+fn main() -> ExitCode {
+    let outcome = match Command::parse().verb {
+        Verb::Check(arguments) => verb::check::run(&arguments),
+        Verb::Build(arguments) => verb::build::run(&arguments),
+        Verb::Run(arguments) => verb::run::run(&arguments),
+        Verb::Show(arguments) => verb::show::run(&arguments),
+        Verb::Diff(arguments) => verb::diff::run(&arguments),
+        Verb::Fmt(arguments) => verb::fmt::run(&arguments),
+        Verb::Explain(arguments) => verb::explain::run(&arguments),
+    };
+    match outcome {
+        Ok(code) => code,
+        // Somebody closed the pipe: they have seen enough.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("twinrung: {error}");
+            ExitCode::from(UNREADABLE)
+        }
+    }
+}
+
+/// An error of a verb as the one that `main` prints.
+fn failed(error: impl std::error::Error + Send + Sync + 'static) -> io::Error {
+    io::Error::other(error.to_string())
+}

@@ -1,0 +1,177 @@
+//! From the FILE of a verb to a project or an image.
+
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use twinrung_bytecode::{AdmittedImage, ImageError, admit};
+use twinrung_compiler::{CheckedProject, Completion, CompiledImage, check, compile};
+use twinrung_compiler::diagnostic::Finding;
+use twinrung_grammar::tree::Sources;
+use twinrung_grammar::read_path;
+
+/// What completes a partial export.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "To complete a partial export")]
+pub struct Complete {
+    /// Controller and major revision, e.g. 1756-L73S/20
+    #[arg(long, value_name = "CATALOG/REV")]
+    pub controller: Option<String>,
+    /// Period of the safety task in ms
+    #[arg(long, value_name = "MS")]
+    pub period: Option<u32>,
+    /// Watchdog of the safety task in ms
+    #[arg(long, value_name = "MS")]
+    pub watchdog: Option<u32>,
+    /// Another export that holds what the file refers to; may be given several times
+    #[arg(long, value_name = "FILE")]
+    pub context: Vec<PathBuf>,
+    /// Tags to publish, instead of output modules and produced tags
+    #[arg(long, value_name = "TAG,TAG", value_delimiter = ',')]
+    pub outputs: Vec<String>,
+}
+
+/// Why there is nothing to work on.
+#[derive(Debug)]
+pub enum InputError {
+    /// The file is not there or cannot be read.
+    Unreadable(PathBuf, std::io::Error),
+    /// `--controller` is not CATALOG/REV.
+    Controller(String),
+    /// An image that the loader refuses.
+    Image(PathBuf, ImageError),
+    /// The image's signature is not the one that was expected.
+    Unexpected {
+        /// What was expected.
+        expected: String,
+        /// The application signature of the image.
+        found: String,
+    },
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            InputError::Unreadable(path, error) => write!(f, "{}: {error}", path.display()),
+            InputError::Controller(text) => {
+                write!(f, "--controller takes a catalogue number and a major revision, as 1756-L73S/20; found `{text}`")
+            }
+            InputError::Image(path, error) => write!(f, "{}: the image is refused: {error}", path.display()),
+            InputError::Unexpected { expected, found } => {
+                write!(f, "expected the signature {expected}, found {found}: nothing was run")
+            }
+        }
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// A project that was read and checked.
+pub struct Read {
+    /// The files.
+    pub sources: Sources,
+    /// What was found, ordered.
+    pub findings: Vec<Finding>,
+    /// The project, when nothing keeps it from being compiled.
+    pub project: Option<CheckedProject>,
+}
+
+/// What FILE turned out to be.
+pub enum Input {
+    /// Source text, or an export.
+    Project(Box<Read>),
+    /// An image, admitted.
+    Image(Box<Loaded>),
+}
+
+/// An admitted image with its bytes.
+pub struct Loaded {
+    /// The image.
+    pub image: AdmittedImage,
+    /// The sealed bytes.
+    pub bytes: Vec<u8>,
+}
+
+/// The first bytes of every image.
+const IMAGE_MAGIC: &[u8] = twinrung_bytecode::container::MAGIC.as_slice();
+
+impl Complete {
+    fn completion(&self, sources: &mut Sources, findings: &mut Vec<Finding>) -> Result<Completion, InputError> {
+        let mut completion = Completion {
+            period_ms: self.period,
+            watchdog_ms: self.watchdog,
+            outputs: self.outputs.clone(),
+            ..Completion::default()
+        };
+        if let Some(text) = &self.controller {
+            let (catalog_number, revision) =
+                text.rsplit_once('/').ok_or_else(|| InputError::Controller(text.clone()))?;
+            let revision = revision.parse().map_err(|_| InputError::Controller(text.clone()))?;
+            completion.controller = Some(catalog_number.to_owned());
+            completion.revision = Some(revision);
+        }
+        for path in &self.context {
+            let reading = readable(sources, path)?;
+            findings.extend(reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding));
+            completion.contexts.push(reading.file);
+        }
+        Ok(completion)
+    }
+}
+
+fn readable(sources: &mut Sources, path: &Path) -> Result<twinrung_grammar::Reading, InputError> {
+    // A missing file is the caller's mistake, not a finding in a project.
+    fs::metadata(path).map_err(|error| InputError::Unreadable(path.to_owned(), error))?;
+    Ok(read_path(sources, path))
+}
+
+/// Reads FILE: a project in `.rll`, `.L5K` or `.L5X`, a folder of these, or an image.
+pub fn open(path: &Path, complete: &Complete) -> Result<Input, InputError> {
+    if is_image(path)? {
+        let bytes = fs::read(path).map_err(|error| InputError::Unreadable(path.to_owned(), error))?;
+        let image = admit(&bytes).map_err(|error| InputError::Image(path.to_owned(), error))?;
+        return Ok(Input::Image(Box::new(Loaded { image, bytes })));
+    }
+    let mut sources = Sources::new();
+    let mut findings = Vec::new();
+    let completion = complete.completion(&mut sources, &mut findings)?;
+    let reading = readable(&mut sources, path)?;
+    let checked = check(&sources, reading, completion);
+    findings.extend(checked.findings);
+    let project = checked.project.filter(|_| !findings.iter().any(Finding::is_error));
+    Ok(Input::Project(Box::new(Read { sources, findings, project })))
+}
+
+fn is_image(path: &Path) -> Result<bool, InputError> {
+    use std::io::Read as _;
+    if path.is_dir() {
+        return Ok(false);
+    }
+    let unreadable = |error| InputError::Unreadable(path.to_owned(), error);
+    let mut begin = Vec::new();
+    let file = fs::File::open(path).map_err(unreadable)?;
+    file.take(IMAGE_MAGIC.len() as u64).read_to_end(&mut begin).map_err(unreadable)?;
+    Ok(begin == IMAGE_MAGIC)
+}
+
+/// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
+pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
+    let compiled = compile(project);
+    let image = admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
+    let bytes = compiled.bytes.clone();
+    Ok((compiled, Loaded { image, bytes }))
+}
+
+/// Refuses an image whose application signature is not the expected one, in its short or its long form.
+pub fn expect(loaded: &Loaded, expected: Option<&str>) -> Result<(), InputError> {
+    let Some(expected) = expected else { return Ok(()) };
+    let signature = loaded.image.application_signature();
+    let long = twinrung_bytecode::signature::long_form(signature);
+    let short = twinrung_bytecode::signature::short_form(signature).to_string();
+    let plain = |text: &str| text.replace('_', "").to_ascii_lowercase();
+    if plain(expected) == plain(&long) || plain(expected) == plain(&short) {
+        return Ok(());
+    }
+    Err(InputError::Unexpected { expected: expected.to_owned(), found: short })
+}

@@ -1,0 +1,87 @@
+//! `twinrung fmt`: the canonical form of `.rll`.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Args;
+use twinrung_grammar::tree::Sources;
+use twinrung_grammar::{print_file, read_path};
+
+use crate::findings;
+use crate::terminal::Terminal;
+use crate::{failed, files};
+
+/// Arguments of `fmt`.
+#[derive(Debug, Args)]
+#[command(after_help = "A .rll file is rewritten in place; an export (.L5K, .L5X) is printed as .rll.\n\
+Exit code: 0 done (with --check: already canonical), 1 --check found another form, 2 could not read.")]
+pub struct Fmt {
+    /// A .rll file or a folder of them, rewritten; or an export, printed
+    file: PathBuf,
+    /// Rewrite nothing; say whether something would change
+    #[arg(long)]
+    check: bool,
+}
+
+/// Formats.
+pub fn run(arguments: &Fmt) -> io::Result<ExitCode> {
+    let mut changed = false;
+    for path in rll_files(&arguments.file)? {
+        changed |= format_one(&path, arguments.check)?;
+    }
+    Ok(ExitCode::from(u8::from(arguments.check && changed)))
+}
+
+fn rll_files(path: &Path) -> io::Result<Vec<PathBuf>> {
+    if !path.is_dir() {
+        return Ok(vec![path.to_owned()]);
+    }
+    let mut files: Vec<PathBuf> = Vec::new();
+    for entry in fs::read_dir(path)? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll")) {
+            files.push(path);
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+fn format_one(path: &Path, check: bool) -> io::Result<bool> {
+    let before = fs::read(path).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))?;
+    let mut sources = Sources::new();
+    let reading = read_path(&mut sources, path);
+    if !reading.errors.is_empty() {
+        let found: Vec<_> = reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding).collect();
+        findings::print_human(&mut io::stderr(), &sources, &found, Terminal::of_stdout(), true)?;
+        return Err(failed(Unformatted(path.display().to_string())));
+    }
+    let after = print_file(&reading.file);
+    let is_rll = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll"));
+    if !is_rll {
+        io::stdout().write_all(after.as_bytes())?;
+        return Ok(false);
+    }
+    let changed = after.as_bytes() != before;
+    if changed && check {
+        println!("{}: not in canonical form", path.display());
+    } else if changed {
+        files::write_whole(path, after.as_bytes())?;
+        println!("{}: rewritten", path.display());
+    }
+    Ok(changed)
+}
+
+/// A file that cannot be read is left as it is.
+#[derive(Debug)]
+struct Unformatted(String);
+
+impl std::fmt::Display for Unformatted {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: could not be read as a whole, and was left as it is", self.0)
+    }
+}
+
+impl std::error::Error for Unformatted {}

@@ -1,0 +1,9 @@
+//! One file for each verb: arguments in, text out.
+
+pub mod build;
+pub mod check;
+pub mod diff;
+pub mod explain;
+pub mod fmt;
+pub mod run;
+pub mod show;
