@@ -31,6 +31,7 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("Stop_Core", "stop_core"),
     source!("Muting_Core", "muting_core"),
     source!("Analog_Core", "analog_core"),
+    source!("Redundant_Input_Core", "redundant_input_core"),
     source!("DCS", "dcs"),
     source!("DCST", "dcst"),
     source!("DCSTL", "dcstl"),
@@ -46,6 +47,13 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("TSAM", "tsam"),
     source!("TSSM", "tssm"),
     source!("FSBM", "fsbm"),
+    source!("DIN", "din"),
+    source!("RIN", "rin"),
+    source!("ENPEND", "enpend"),
+    source!("ESTOP", "estop"),
+    source!("LC", "lc"),
+    source!("FPMS", "fpms"),
+    source!("THRS", "thrs"),
 ];
 
 /// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
