@@ -35,6 +35,21 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         ],
         &[],
     ),
+    (
+        "twinrung-trio",
+        &[
+            "twinrung-bytecode",
+            "twinrung-catalog",
+            "twinrung-compiler",
+            "twinrung-grammar",
+            "twinrung-judge",
+            "twinrung-partner",
+            "twinrung-primary",
+            "twinrung-safety-partner",
+            "twinrung-workbench",
+        ],
+        &[],
+    ),
 ];
 
 fn root() -> PathBuf {

@@ -92,6 +92,8 @@ pub struct Judge<'p> {
     /// CONTROL structures whose run was completed on a false rung.
     pub(crate) completed_on_false: HashSet<Target>,
     pub(crate) library_instances: HashMap<Target, usize>,
+    /// Numbers of programs and routines in fault records.
+    numbers: (Vec<u32>, Vec<u32>),
     faulted: bool,
     in_fault_routine: bool,
 }
@@ -126,6 +128,7 @@ impl<'p> Judge<'p> {
             prescanned: HashSet::new(),
             completed_on_false: HashSet::new(),
             library_instances: HashMap::new(),
+            numbers: (Vec::new(), Vec::new()),
             faulted: false,
             in_fault_routine: false,
         }
@@ -143,6 +146,11 @@ impl<'p> Judge<'p> {
         let mut cells = (Vec::new(), Vec::new());
         self.memory.tags.get(&tag)?.flatten(&mut cells.0, &mut cells.1);
         Some(cells)
+    }
+
+    /// Gives programs and routines the numbers that an image has for them: a fault record holds numbers.
+    pub fn number_as(&mut self, programs: Vec<u32>, routines: Vec<u32>) {
+        self.numbers = (programs, routines);
     }
 
     /// Sets the values that GSV reads of an attribute (its number in the catalog).
@@ -321,7 +329,13 @@ impl<'p> Judge<'p> {
     /// REQ-EXEC-050 to REQ-EXEC-052.
     fn fault(&mut self, frame: &Frame<'p>, code: u16) -> Result<(), Exit> {
         let program = usize::from(frame.program);
-        let place = [u32::from(frame.program), frame.routine, frame.rung, frame.element];
+        let number = |numbers: &[u32], index: u32| numbers.get(index as usize).copied().unwrap_or(index);
+        let place = [
+            number(&self.numbers.0, u32::from(frame.program)),
+            number(&self.numbers.1, frame.routine),
+            frame.rung,
+            frame.element,
+        ];
         let record = &mut self.records[program];
         *record = [0; 11];
         record[0] = self.now_ms as i32;

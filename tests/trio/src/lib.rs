@@ -1,0 +1,14 @@
+//! One program, three evaluators: primary, partner and judge execute the same scans, and every tag, flag, count, fault
+//! record and event is compared after each. No execution test can forget an engine, since there is no other way to run one.
+//!
+//! For tests, fuzzing and, behind a feature, the command. It may use everything; nothing but tests may use it.
+
+#![forbid(unsafe_code)]
+
+mod disagreement;
+mod subject;
+mod trio;
+
+pub use disagreement::Disagreement;
+pub use subject::{Subject, library};
+pub use trio::{Ended, Trio};

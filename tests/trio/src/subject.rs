@@ -1,0 +1,57 @@
+//! A program that is compiled, admitted and checked: what the three evaluators run.
+
+use std::sync::OnceLock;
+
+use twinrung_bytecode::{AdmittedImage, admit};
+use twinrung_compiler::diagnostic::Finding;
+use twinrung_compiler::{CheckedLibrary, CheckedProject, Completion, check, check_library, compile};
+use twinrung_grammar::read;
+use twinrung_grammar::tree::Sources;
+
+/// A program in the two forms that the evaluators need.
+pub struct Subject {
+    /// The checked tree, for the judge.
+    pub project: CheckedProject,
+    /// The admitted image, for the channels.
+    pub image: AdmittedImage,
+    /// Its sealed bytes.
+    pub bytes: Vec<u8>,
+}
+
+impl Subject {
+    /// Compiles source text.
+    ///
+    /// # Errors
+    ///
+    /// The findings that keep it from being compiled, as `code line:column message`.
+    pub fn from_text(text: &str) -> Result<Subject, Vec<String>> {
+        let mut sources = Sources::new();
+        let reading = read(&mut sources, "subject.rll", text.as_bytes().to_vec());
+        let checked = check(&sources, reading, Completion::default());
+        let Some(project) = checked.project else {
+            return Err(checked.findings.iter().filter(|finding| finding.is_error()).map(|finding| line(&sources, finding)).collect());
+        };
+        Ok(Subject::from_project(project))
+    }
+
+    /// Compiles a checked project. Panics when the loader refuses what the compiler made: that is a defect of ours.
+    pub fn from_project(project: CheckedProject) -> Subject {
+        let bytes = compile(&project).bytes;
+        let image = admit(&bytes).unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
+        Subject { project, image, bytes }
+    }
+}
+
+fn line(sources: &Sources, finding: &Finding) -> String {
+    let place = sources.line_column(finding.span);
+    format!("{} {}:{} {}", finding.code.id, place.line, place.column, finding.message)
+}
+
+/// The ladder half of the safety library as a checked tree, made once.
+pub fn library() -> &'static CheckedLibrary {
+    static LIBRARY: OnceLock<CheckedLibrary> = OnceLock::new();
+    LIBRARY.get_or_init(|| {
+        check_library(twinrung_safety_partner::SOURCES)
+            .unwrap_or_else(|findings| panic!("the ladder library is refused: {findings:#?}"))
+    })
+}
