@@ -42,9 +42,16 @@ impl<'e> Fields<'e> {
 
     /// A value that is text; nothing when it is empty.
     pub(crate) fn text(&mut self, keys: &[&str]) -> Option<Text> {
+        self.keyed_text(keys).map(|(_, text)| text)
+    }
+
+    /// A value that is text, and the key that sets it.
+    fn keyed_text(&mut self, keys: &[&str]) -> Option<(Name, Text)> {
         let taken = self.take(keys)?;
         match taken.value {
-            AttributeValue::Quoted(text) | AttributeValue::Words(text) => (!text.text.is_empty()).then_some(text),
+            AttributeValue::Quoted(text) | AttributeValue::Words(text) => {
+                (!text.text.is_empty()).then_some((taken.key, text))
+            }
             AttributeValue::List(value) => {
                 let message = format!("`{}` is set to a list; expected a word or a quoted text", taken.key);
                 self.errors.add(ErrorKind::BadAttribute, value.span(), message);
@@ -61,32 +68,32 @@ impl<'e> Fields<'e> {
         self.text(keys).map(|text| Name { text: text.text, span: text.span })
     }
 
-    fn refuse(&mut self, key: &str, text: &Text, expected: &str) {
+    fn refuse(&mut self, key: &Name, text: &Text, expected: &str) {
         let message = format!("`{key}` is set to `{}`; expected {expected}", clip(&text.text));
         self.errors.push(ReadError::new(ErrorKind::BadAttribute, text.span, message));
     }
 
     pub(crate) fn flag(&mut self, keys: &[&str]) -> Option<Spanned<bool>> {
-        let text = self.text(keys)?;
+        let (key, text) = self.keyed_text(keys)?;
         let is = |words: &[&str]| words.iter().any(|word| text.text.eq_ignore_ascii_case(word));
         if is(&["true", "Yes", "1", "-1"]) {
             Some(Spanned::new(true, text.span))
         } else if is(&["false", "No", "0"]) {
             Some(Spanned::new(false, text.span))
         } else {
-            self.refuse(keys.first().unwrap_or(&""), &text, "Yes or No");
+            self.refuse(&key, &text, "Yes or No");
             None
         }
     }
 
     pub(crate) fn number(&mut self, keys: &[&str]) -> Option<Spanned<u32>> {
-        let text = self.text(keys)?;
+        let (key, text) = self.keyed_text(keys)?;
         match parse_number(&text.text) {
             Ok(Number::Integer { negative: false, magnitude, .. }) if magnitude <= u64::from(u32::MAX) => {
                 Some(Spanned::new(magnitude as u32, text.span))
             }
             _ => {
-                self.refuse(keys.first().unwrap_or(&""), &text, "a whole number");
+                self.refuse(&key, &text, "a whole number");
                 None
             }
         }
@@ -103,37 +110,37 @@ impl<'e> Fields<'e> {
     }
 
     fn time(&mut self, keys: &[&str], decimals: usize, expected: &str) -> Option<Spanned<u64>> {
-        let text = self.text(keys)?;
+        let (key, text) = self.keyed_text(keys)?;
         match scaled(&text.text, decimals) {
             Some(value) => Some(Spanned::new(value, text.span)),
             None => {
-                self.refuse(keys.first().unwrap_or(&""), &text, expected);
+                self.refuse(&key, &text, expected);
                 None
             }
         }
     }
 
     pub(crate) fn class(&mut self) -> Option<Spanned<Class>> {
-        let text = self.text(&["Class"])?;
+        let (key, text) = self.keyed_text(&["Class"])?;
         if text.text.eq_ignore_ascii_case("Safety") {
             Some(Spanned::new(Class::Safety, text.span))
         } else if text.text.eq_ignore_ascii_case("Standard") {
             Some(Spanned::new(Class::Standard, text.span))
         } else {
-            self.refuse("Class", &text, "Safety or Standard");
+            self.refuse(&key, &text, "Safety or Standard");
             None
         }
     }
 
     pub(crate) fn external_access(&mut self) -> Option<Spanned<ExternalAccess>> {
-        let text = self.text(&["ExternalAccess"])?;
+        let (key, text) = self.keyed_text(&["ExternalAccess"])?;
         let letters: CompactString = text.text.chars().filter(char::is_ascii_alphabetic).collect();
         let access = match letters.to_ascii_lowercase().as_str() {
             "readwrite" => ExternalAccess::ReadWrite,
             "readonly" => ExternalAccess::ReadOnly,
             "none" => ExternalAccess::None,
             _ => {
-                self.refuse("ExternalAccess", &text, "Read/Write, Read Only or None");
+                self.refuse(&key, &text, "Read/Write, Read Only or None");
                 return None;
             }
         };
@@ -142,12 +149,12 @@ impl<'e> Fields<'e> {
 
     /// One word of a list.
     pub(crate) fn choice<T: Copy>(&mut self, keys: &[&str], choices: &[(&str, T)]) -> Option<Spanned<T>> {
-        let text = self.text(keys)?;
+        let (key, text) = self.keyed_text(keys)?;
         match choices.iter().find(|(word, _)| text.text.eq_ignore_ascii_case(word)) {
             Some(&(_, value)) => Some(Spanned::new(value, text.span)),
             None => {
                 let words: Vec<&str> = choices.iter().map(|(word, _)| *word).collect();
-                self.refuse(keys.first().unwrap_or(&""), &text, &words.join(" or "));
+                self.refuse(&key, &text, &words.join(" or "));
                 None
             }
         }

@@ -9,8 +9,6 @@ use twinrung_grammar::tree::{Operand, Sources, Span};
 use twinrung_grammar::{print_expression, print_file, read, read_expression};
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
-
     #[test]
     fn file_when_printed_and_read_then_is_the_same(file in file()) {
         let text = print_file(&file);

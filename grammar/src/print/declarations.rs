@@ -207,7 +207,9 @@ fn parameter(layout: &mut Layout, parameter: &Parameter) {
 }
 
 fn tags(layout: &mut Layout, tags: &[Tag], begin: &str, end: &str) {
-    if tags.is_empty() {
+    // The tag of a module (`Doors:I`), which an export lists among the context, is not declared in text.
+    let declared = |tag: &Tag| !tag.name.text.contains(':');
+    if !tags.iter().any(declared) {
         return;
     }
     layout.line(begin);
@@ -216,7 +218,9 @@ fn tags(layout: &mut Layout, tags: &[Tag], begin: &str, end: &str) {
         while let Some((first, others)) = rest.split_first() {
             let joined = others.iter().take_while(|tag| tag.joins_previous && is_alike(first, tag)).count();
             let (joined, others) = others.split_at(joined);
-            tag(layout, first, joined);
+            if declared(first) {
+                tag(layout, first, joined);
+            }
             rest = others;
         }
     });

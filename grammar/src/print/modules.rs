@@ -14,7 +14,10 @@ pub(super) fn module(layout: &mut Layout, module: &Module) {
     list.number("ProductCode", module.product_code);
     list.number("Major", module.major);
     list.number("Minor", module.minor);
-    list.text("Parent", module.parent.as_ref().map(|name| crate::tree::Text::new(name.text.clone(), name.span)).as_ref());
+    list.text(
+        "Parent",
+        module.parent.as_ref().map(|name| crate::tree::Text::new(name.text.clone(), name.span)).as_ref(),
+    );
     list.number("ParentModPortId", module.parent_port);
     list.number("Slot", module.slot);
     list.text("IPAddress", module.address.as_ref());

@@ -201,7 +201,8 @@ fn refusal(
 ) -> ReadError {
     match error {
         ParseError::User { error } => error,
-        ParseError::UnrecognizedToken { token: (start, _, end), .. } | ParseError::ExtraToken { token: (start, _, end) } => {
+        ParseError::UnrecognizedToken { token: (start, _, end), .. }
+        | ParseError::ExtraToken { token: (start, _, end) } => {
             let found = clip(&operand.text[start..end]);
             let message = if start == 0 {
                 format!("expected {wanted}, found `{found}`")

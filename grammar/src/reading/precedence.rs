@@ -25,7 +25,13 @@ pub(super) fn check(operand: &Operand, tokens: &[(usize, Token<'_>, usize)]) -> 
         let place = Some((start, end));
         let after_operand = previous.is_some_and(Token::ends_operand);
         let sign = matches!(token, Token::Not) || (matches!(token, Token::Minus) && !after_operand);
-        signs = if sign { signs + 1 } else if after_operand { 0 } else { signs };
+        signs = if sign {
+            signs + 1
+        } else if after_operand {
+            0
+        } else {
+            signs
+        };
         if levels.len() + signs > EXPRESSION_DEPTH_MAX {
             let message = format!("nested deeper than {EXPRESSION_DEPTH_MAX}");
             return Err(ReadError::new(ErrorKind::TooDeep, operand.locate(start, end), message));
@@ -49,7 +55,14 @@ pub(super) fn check(operand: &Operand, tokens: &[(usize, Token<'_>, usize)]) -> 
         let binary = token.is_relation()
             || matches!(
                 token,
-                Token::Plus | Token::And | Token::Or | Token::Xor | Token::Star | Token::Slash | Token::Mod | Token::Power
+                Token::Plus
+                    | Token::And
+                    | Token::Or
+                    | Token::Xor
+                    | Token::Star
+                    | Token::Slash
+                    | Token::Mod
+                    | Token::Power
             )
             || (matches!(token, Token::Minus) && after_operand);
         // A member may be called like an operator.

@@ -66,22 +66,14 @@ pub(crate) enum Token<'a> {
 impl Token<'_> {
     /// Whether an operand of an expression may end here, so that a `-` after it is a subtraction.
     pub(crate) fn ends_operand(self) -> bool {
-        matches!(
-            self,
-            Token::Name(_) | Token::Number(_) | Token::Quoted(_) | Token::Close | Token::CloseBracket
-        )
+        matches!(self, Token::Name(_) | Token::Number(_) | Token::Quoted(_) | Token::Close | Token::CloseBracket)
     }
 
     /// Whether the result is 0 or 1.
     pub(crate) fn is_relation(self) -> bool {
         matches!(
             self,
-            Token::Less
-                | Token::LessOrEqual
-                | Token::Greater
-                | Token::GreaterOrEqual
-                | Token::Equal
-                | Token::NotEqual
+            Token::Less | Token::LessOrEqual | Token::Greater | Token::GreaterOrEqual | Token::Equal | Token::NotEqual
         )
     }
 }

@@ -8,7 +8,10 @@ use crate::excerpt::Excerpt;
 use crate::limits::SUBSCRIPTS_MAX;
 use crate::reading::escape::unescape_text;
 use crate::reading::number::clip;
-use crate::tree::{Attribute, BitPlace, CompactString, Dimensions, ErrorKind, Name, Operand, OriginMap, ReadError, Spanned, Text, Value};
+use crate::tree::{
+    Attribute, BitPlace, CompactString, Dimensions, ErrorKind, Name, Operand, OriginMap, ReadError, Spanned, Text,
+    Value,
+};
 
 type Failure = ParseError<usize, Token, ReadError>;
 

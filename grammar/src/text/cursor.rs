@@ -16,6 +16,8 @@ pub(crate) type Placed = (usize, Token, usize);
 /// A comment that waits for the declaration it belongs to.
 struct Waiting {
     text: CompactString,
+    /// Where it begins.
+    start: usize,
     /// On the line on which the token before it ends.
     trails: bool,
 }
@@ -28,6 +30,8 @@ pub(crate) struct Cursor<'a> {
     /// Added to the lexer's offsets: it starts anew after each rung.
     lexer_start: usize,
     peeked: Option<Placed>,
+    /// The end of the last token taken.
+    token_end: usize,
     /// The end of the last token or comment.
     last_end: usize,
     /// Whether the last comment trailed, so that one after it on its line does too.
@@ -54,6 +58,7 @@ impl<'a> Cursor<'a> {
             lexer: Token::lexer(file.text),
             lexer_start: 0,
             peeked: None,
+            token_end: 0,
             last_end: 0,
             trailing: true,
             waiting: Vec::new(),
@@ -74,6 +79,7 @@ impl<'a> Cursor<'a> {
         let token = self.peek()?;
         self.peeked = None;
         self.last_end = token.2;
+        self.token_end = token.2;
         self.trailing = true;
         Some(token)
     }
@@ -107,7 +113,7 @@ impl<'a> Cursor<'a> {
         let text = self.file.slice(start, end).trim_end();
         let trails = self.trailing && !self.file.slice(self.last_end, start).contains('\n') && self.last_end > 0;
         self.trailing = trails;
-        self.waiting.push(Waiting { text: text.into(), trails });
+        self.waiting.push(Waiting { text: text.into(), start, trails });
         self.last_end = start + text.len();
     }
 
@@ -123,17 +129,18 @@ impl<'a> Cursor<'a> {
     pub(crate) fn skip_to(&mut self, offset: usize) {
         self.restart(offset);
         self.last_end = offset;
+        self.token_end = offset;
         self.trailing = true;
     }
 
     /// Keeps comments that were found in a piece read in another way; they go before what it declares.
     pub(crate) fn keep_comments(&mut self, comments: Vec<CompactString>) {
-        self.waiting.extend(comments.into_iter().map(|text| Waiting { text, trails: false }));
+        self.waiting.extend(comments.into_iter().map(|text| Waiting { text, start: 0, trails: false }));
     }
 
     /// Where the last token ended.
     pub(crate) fn last_end(&self) -> usize {
-        self.last_end
+        self.token_end
     }
 
     pub(crate) fn slice(&self, token: Placed) -> &'a str {
@@ -185,10 +192,11 @@ impl<'a> Cursor<'a> {
     /// Comments that were met inside a declaration go before it; those behind it on its last line
     /// stay behind it.
     pub(crate) fn trailing(&mut self, trivia: &mut Trivia) {
-        for comment in self.waiting.drain(..) {
+        self.peek();
+        let inside = self.waiting.iter().take_while(|comment| comment.start < self.token_end).count();
+        for comment in self.waiting.drain(..inside) {
             trivia.push_leading(comment.text);
         }
-        self.peek();
         let trails = self.waiting.iter().take_while(|comment| comment.trails).count();
         for comment in self.waiting.drain(..trails) {
             trivia.push_trailing(comment.text);

@@ -10,8 +10,8 @@ mod cursor;
 mod islands;
 mod modules;
 mod programs;
-mod rungs;
 pub(crate) mod rung_token;
+mod rungs;
 mod tags;
 pub(crate) mod token;
 mod types;
@@ -356,7 +356,8 @@ fn refusal(
 ) -> ReadError {
     match error {
         ParseError::User { error } => error,
-        ParseError::UnrecognizedToken { token: (start, _, end), .. } | ParseError::ExtraToken { token: (start, _, end) } => {
+        ParseError::UnrecognizedToken { token: (start, _, end), .. }
+        | ParseError::ExtraToken { token: (start, _, end) } => {
             let message = format!("`{}` does not belong here; expected {expected}", clip(file.slice(start, end)));
             ReadError::new(kind, file.locate(start, end), message)
         }

@@ -31,8 +31,8 @@ impl Reader<'_> {
     fn point(&mut self, kind: PointKind) -> Option<Point> {
         let mut trivia = self.cursor.leading();
         self.cursor.next();
-        let (Head { name, attributes }, span) =
-            self.statement("a point such as `I00 (Mode := SAFETY)`", |file, run| {
+        let (Head { name, attributes }, span) = self
+            .statement("a point such as `I00 (Mode := SAFETY)`", |file, run| {
                 declaration::HeadParser::new().parse(file, run.iter().copied())
             })?;
         self.cursor.trailing(&mut trivia);

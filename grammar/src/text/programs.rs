@@ -93,7 +93,8 @@ impl Reader<'_> {
             return Err(encoded);
         }
         let name = encoded.name.unwrap_or_default();
-        let mut routine = components::routine(name, Fields::new(encoded.attributes, &mut self.cursor.errors), encoded.span);
+        let mut routine =
+            components::routine(name, Fields::new(encoded.attributes, &mut self.cursor.errors), encoded.span);
         routine.trivia = encoded.trivia;
         routine.body = RoutineBody::Encoded { text: encoded.text };
         Ok(routine)

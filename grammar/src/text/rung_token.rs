@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use logos::{Lexer, Logos};
 
-use crate::limits::{BRANCH_DEPTH_MAX, OPERAND_BYTES_MAX, OPERANDS_MAX};
 use crate::excerpt::Excerpt;
+use crate::limits::{BRANCH_DEPTH_MAX, OPERAND_BYTES_MAX, OPERANDS_MAX};
 use crate::reading::number::clip;
 use crate::tree::{CompactString, ErrorKind, Instruction, Name, Operand, OriginMap, ReadError, Span};
 
@@ -90,7 +90,9 @@ impl<'a, 'c> RungLexer<'a, 'c> {
         let range = self.lexer.span();
         let text = clip(self.lexer.slice());
         let (kind, message) = match atom {
-            Ok(Atom::UnclosedQuote) => (ErrorKind::UnclosedQuote, "a quoted text is not closed on its line".to_string()),
+            Ok(Atom::UnclosedQuote) => {
+                (ErrorKind::UnclosedQuote, "a quoted text is not closed on its line".to_string())
+            }
             Ok(Atom::UnclosedComment) => (ErrorKind::UnclosedComment, "the comment is not closed by `*)`".to_string()),
             _ => (ErrorKind::UnknownCharacter, format!("`{text}` means nothing in a rung")),
         };

@@ -52,7 +52,8 @@ fn refusal(excerpt: Excerpt<'_>, error: ParseError<usize, RungToken, ReadError>)
     let kind = ErrorKind::MalformedRung;
     match error {
         ParseError::User { error } => error,
-        ParseError::ExtraToken { token: (start, token, end) } | ParseError::UnrecognizedToken { token: (start, token, end), .. } => {
+        ParseError::ExtraToken { token: (start, token, end) }
+        | ParseError::UnrecognizedToken { token: (start, token, end), .. } => {
             let found = clip(excerpt.slice(start, end));
             let message = match token {
                 RungToken::Close => "a `]` without its `[`".to_string(),
@@ -177,7 +178,8 @@ impl Reader<'_> {
         let bytes = text.as_bytes();
         let mut at = 0;
         let mut next_rung = None;
-        while let Some(found) = bytes.get(at..).and_then(|rest| rest.iter().position(|byte| b";'\"/(\n".contains(byte))) {
+        while let Some(found) = bytes.get(at..).and_then(|rest| rest.iter().position(|byte| b";'\"/(\n".contains(byte)))
+        {
             at += found;
             match bytes[at] {
                 b';' => return Extent { end: start + at + 1, next_rung },

@@ -128,12 +128,8 @@ fn default_data(declaration: &TagDeclaration) -> Vec<Data> {
 
 /// L5K quotes default data: `"[0,5000,0]"`.
 fn quoted_value(text: &Text) -> Value {
-    let excerpt = crate::excerpt::Excerpt {
-        text: &text.text,
-        source: text.span.source,
-        start: text.span.start,
-        map: None,
-    };
+    let excerpt =
+        crate::excerpt::Excerpt { text: &text.text, source: text.span.source, start: text.span.start, map: None };
     super::read_value(excerpt).unwrap_or_else(|_| Value::Number(text.clone()))
 }
 

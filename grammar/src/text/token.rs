@@ -93,9 +93,6 @@ fn find(text: &str, wanted: &str) -> Option<usize> {
 impl Token {
     /// Whether the lexer could not make sense of the text.
     pub(crate) fn is_error(self) -> bool {
-        matches!(
-            self,
-            Token::UnclosedQuoted | Token::UnclosedLiteral | Token::UnclosedComment | Token::Unknown
-        )
+        matches!(self, Token::UnclosedQuoted | Token::UnclosedLiteral | Token::UnclosedComment | Token::Unknown)
     }
 }

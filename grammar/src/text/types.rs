@@ -12,9 +12,8 @@ impl Reader<'_> {
         data_type.trivia = trivia;
         while let Next::Word(_) = self.next_in_block(span) {
             let mut trivia = self.cursor.leading();
-            let parsed = self.statement("a member", |file, run| {
-                declaration::MemberParser::new().parse(file, run.iter().copied())
-            });
+            let parsed = self
+                .statement("a member", |file, run| declaration::MemberParser::new().parse(file, run.iter().copied()));
             if let Some(((typed, attributes), span)) = parsed {
                 self.cursor.trailing(&mut trivia);
                 let fields = Fields::new(attributes, &mut self.cursor.errors);

@@ -1,8 +1,8 @@
 //! A file, or a folder merged into one.
 
 use super::{
-    AddOnInstruction, Attribute, DataType, Module, Name, Program, Routine, SourceId, Span, Spanned, Tag, Task,
-    Text, Trivia,
+    AddOnInstruction, Attribute, DataType, Module, Name, Program, Routine, SourceId, Span, Spanned, Tag, Task, Text,
+    Trivia,
 };
 
 /// Everything that one file says, or a folder of files as one project.

@@ -89,10 +89,7 @@ impl<'a> Element<'a> {
             .filter(|raw| !without.contains(&raw.key))
             .map(|raw| Attribute {
                 key: Name::new(raw.key, raw.key_span),
-                value: AttributeValue::Quoted(Text {
-                    text: unescape(raw.value).as_ref().into(),
-                    span: raw.value_span,
-                }),
+                value: AttributeValue::Quoted(Text { text: unescape(raw.value).as_ref().into(), span: raw.value_span }),
             })
             .collect()
     }

@@ -36,7 +36,8 @@ impl<'a> Reader<'a> {
             match u8::from_str_radix(pair, 16) {
                 Ok(byte) if pair.len() == 2 => bytes.push(byte),
                 _ => {
-                    let message = format!("`{}` is no byte of two hexadecimal digits", crate::reading::number::clip(pair));
+                    let message =
+                        format!("`{}` is no byte of two hexadecimal digits", crate::reading::number::clip(pair));
                     self.xml.errors.add(ErrorKind::MalformedData, content.span, message);
                     return None;
                 }
@@ -159,7 +160,8 @@ fn is_plain_number(text: &str) -> bool {
 fn unquoted(text: Text) -> Text {
     match text.text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')) {
         Some(inner) => {
-            let span = crate::tree::Span { start: text.span.start + 1, end: text.span.end.saturating_sub(1), ..text.span };
+            let span =
+                crate::tree::Span { start: text.span.start + 1, end: text.span.end.saturating_sub(1), ..text.span };
             Text::new(inner, span)
         }
         None => text,

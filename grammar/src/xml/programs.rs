@@ -5,9 +5,7 @@ use super::{Reader, adopt, usage};
 use crate::components;
 use crate::reading::number::clip;
 use crate::text::{parse_rung, rung_kind};
-use crate::tree::{
-    ErrorKind, Name, ReadError, Routine, RoutineBody, Rung, RungKind, Spanned, Text, Trivia, Usage,
-};
+use crate::tree::{ErrorKind, Name, ReadError, Routine, RoutineBody, Rung, RungKind, Spanned, Text, Trivia, Usage};
 
 impl<'a> Reader<'a> {
     pub(super) fn program(&mut self, element: &Element<'a>, around: Usage) {

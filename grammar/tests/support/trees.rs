@@ -46,11 +46,8 @@ fn class() -> impl Strategy<Value = Option<Spanned<Class>>> {
 }
 
 fn access() -> impl Strategy<Value = Option<Spanned<ExternalAccess>>> {
-    let access = prop_oneof![
-        Just(ExternalAccess::ReadWrite),
-        Just(ExternalAccess::ReadOnly),
-        Just(ExternalAccess::None)
-    ];
+    let access =
+        prop_oneof![Just(ExternalAccess::ReadWrite), Just(ExternalAccess::ReadOnly), Just(ExternalAccess::None)];
     option::weighted(0.2, access.prop_map(spanned))
 }
 
@@ -127,8 +124,11 @@ fn operand() -> impl Strategy<Value = Operand> {
 }
 
 fn target() -> impl Strategy<Value = Operand> {
-    "[A-Z][a-z]{1,5}(:[0-9]:I)?(\\[[0-9]\\])?(\\.[A-Z][a-z]{1,3})?(\\.[0-9])?"
-        .prop_map(|text| Operand { text: text.into(), span: at(), origin: None })
+    "[A-Z][a-z]{1,5}(:[0-9]:I)?(\\[[0-9]\\])?(\\.[A-Z][a-z]{1,3})?(\\.[0-9])?".prop_map(|text| Operand {
+        text: text.into(),
+        span: at(),
+        origin: None,
+    })
 }
 
 fn element() -> impl Strategy<Value = Element> {
@@ -178,16 +178,17 @@ fn routine() -> impl Strategy<Value = Routine> {
 }
 
 fn tag_kind() -> impl Strategy<Value = TagKind> {
-    let produced = (number(), time(), time(), flag(), flag()).prop_map(|(count, rpi_us, rpi_min_us, status, unicast)| {
-        TagKind::Produced(Box::new(ProduceInfo {
-            count,
-            rpi_us,
-            rpi_min_us,
-            rpi_max_us: None,
-            connection_status: status,
-            unicast,
-        }))
-    });
+    let produced =
+        (number(), time(), time(), flag(), flag()).prop_map(|(count, rpi_us, rpi_min_us, status, unicast)| {
+            TagKind::Produced(Box::new(ProduceInfo {
+                count,
+                rpi_us,
+                rpi_min_us,
+                rpi_max_us: None,
+                connection_status: status,
+                unicast,
+            }))
+        });
     let consumed = (option::of(name()), option::of(word()), time(), number(), time(), flag()).prop_map(
         |(producer, remote_tag, rpi_us, timeout_multiplier, reaction_time_limit_us, unicast)| {
             TagKind::Consumed(Box::new(ConsumeInfo {
@@ -260,10 +261,10 @@ fn tag() -> impl Strategy<Value = Tag> {
 }
 
 fn data_type() -> impl Strategy<Value = DataType> {
-    let bit = option::weighted(0.3, (name(), 0u32..8)).prop_map(|bit| {
-        bit.map(|(target, number)| Box::new(BitPlace { target, number: spanned(number) }))
-    });
-    let member = (name(), "[A-Z]{3,6}", dimensions(), any::<bool>(), bit, access(), description(), attributes(), trivia());
+    let bit = option::weighted(0.3, (name(), 0u32..8))
+        .prop_map(|bit| bit.map(|(target, number)| Box::new(BitPlace { target, number: spanned(number) })));
+    let member =
+        (name(), "[A-Z]{3,6}", dimensions(), any::<bool>(), bit, access(), description(), attributes(), trivia());
     let member = member.prop_map(
         |(name, data_type, dimensions, hidden, bit, external_access, description, attributes, trivia)| Member {
             name,
@@ -386,7 +387,14 @@ fn module() -> impl Strategy<Value = Module> {
     let network = option::of(Just(Text::new("16#0000_41b4_02bb_cb7e", at())));
     let lists = (vec(point, 0..3), vec(opaque, 0..2), vec(connection(), 0..2));
     (own, network, lists, description(), attributes(), block_trivia()).prop_map(
-        |((name, catalog_number, major, parent, slot, inhibited, rpi_us), network, lists, description, attributes, trivia)| {
+        |(
+            (name, catalog_number, major, parent, slot, inhibited, rpi_us),
+            network,
+            lists,
+            description,
+            attributes,
+            trivia,
+        )| {
             Module {
                 name,
                 usage: Usage::Target,
@@ -506,22 +514,25 @@ pub fn file() -> impl Strategy<Value = File> {
         vec(task(), 0..2),
         vec(island, 0..2),
     );
-    (option::of(controller()), lists).prop_map(|(controller, lists)| File {
-        sources: vec![SourceId(0)],
-        controller: controller.map(Box::new),
-        data_types: lists.0,
-        modules: lists.1,
-        add_on_instructions: lists.2,
-        tags: lists.3,
-        programs: lists.4,
-        routines: lists.5.into_iter().filter(|routine| !matches!(routine.body, RoutineBody::Encoded { .. })).collect(),
-        tasks: lists.6,
-        islands: lists.7,
-        ..File::default()
-    })
-    .prop_filter("declares something", |file| {
-        *file != File { sources: vec![SourceId(0)], ..File::default() }
-    })
+    (option::of(controller()), lists)
+        .prop_map(|(controller, lists)| File {
+            sources: vec![SourceId(0)],
+            controller: controller.map(Box::new),
+            data_types: lists.0,
+            modules: lists.1,
+            add_on_instructions: lists.2,
+            tags: lists.3,
+            programs: lists.4,
+            routines: lists
+                .5
+                .into_iter()
+                .filter(|routine| !matches!(routine.body, RoutineBody::Encoded { .. }))
+                .collect(),
+            tasks: lists.6,
+            islands: lists.7,
+            ..File::default()
+        })
+        .prop_filter("declares something", |file| *file != File { sources: vec![SourceId(0)], ..File::default() })
 }
 
 /// An expression as the reader makes it.
@@ -568,25 +579,30 @@ pub fn expression() -> impl Strategy<Value = Expression> {
             span: at(),
         });
         // The negation of a plain number is a negative number.
-        let negate = inner
-            .clone()
-            .prop_filter("not a number", |operand| !matches!(operand, Expression::Immediate(_)))
-            .prop_map(|operand| Expression::Unary {
-                operator: UnaryOperator::Negate,
-                operand: Box::new(operand),
-                span: at(),
-            });
-        let call = (name(), vec(inner.clone(), 1..3))
-            .prop_map(|(function, arguments)| Expression::Call { function, arguments, span: at() });
+        let negate =
+            inner.clone().prop_filter("not a number", |operand| !matches!(operand, Expression::Immediate(_))).prop_map(
+                |operand| Expression::Unary { operator: UnaryOperator::Negate, operand: Box::new(operand), span: at() },
+            );
+        let call = (name(), vec(inner.clone(), 1..3)).prop_map(|(function, arguments)| Expression::Call {
+            function,
+            arguments,
+            span: at(),
+        });
         let part = prop_oneof![
             name().prop_map(Part::Member),
             vec(inner.clone(), 1..=3).prop_map(|subscripts| Part::Subscripts { subscripts, span: at() }),
             inner.prop_map(|index| Part::BitSubscript { index: Box::new(index), span: at() }),
         ];
         let bit = option::weighted(0.3, (0u32..32).prop_map(|number| Part::Bit { number, span: at() }));
-        let tag = (option::weighted(0.1, name()), name(), vec(part, 0..3), bit).prop_map(|(program, base, parts, bit)| {
-            Expression::Tag(TagReference { program, base, parts: parts.into_iter().chain(bit).collect(), span: at() })
-        });
+        let tag =
+            (option::weighted(0.1, name()), name(), vec(part, 0..3), bit).prop_map(|(program, base, parts, bit)| {
+                Expression::Tag(TagReference {
+                    program,
+                    base,
+                    parts: parts.into_iter().chain(bit).collect(),
+                    span: at(),
+                })
+            });
         prop_oneof![4 => binary, 1 => not, 1 => negate, 1 => call, 2 => tag]
     })
 }
