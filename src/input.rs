@@ -41,6 +41,8 @@ pub enum InputError {
     Controller(String),
     /// An image that the loader refuses.
     Image(PathBuf, ImageError),
+    /// A checked project that does not compile: a defect of ours.
+    Defect(String),
     /// The image's signature is not the one that was expected.
     Unexpected {
         /// What was expected.
@@ -58,6 +60,7 @@ impl fmt::Display for InputError {
                 write!(f, "--controller takes a catalogue number and a major revision, as 1756-L73S/20; found `{text}`")
             }
             InputError::Image(path, error) => write!(f, "{}: the image is refused: {error}", path.display()),
+            InputError::Defect(message) => write!(f, "a defect of this tool: {message}"),
             InputError::Unexpected { expected, found } => {
                 write!(f, "expected the signature {expected}, found {found}: nothing was run")
             }
@@ -137,7 +140,7 @@ pub fn open(path: &Path, complete: &Complete) -> Result<Input, InputError> {
     let mut findings = Vec::new();
     let completion = complete.completion(&mut sources, &mut findings)?;
     let reading = readable(&mut sources, path)?;
-    let checked = check(&sources, reading, completion);
+    let checked = check(&reading, &completion);
     findings.extend(checked.findings);
     let project = checked.project.filter(|_| !findings.iter().any(Finding::is_error));
     Ok(Input::Project(Box::new(Read { sources, findings, project })))
@@ -157,7 +160,7 @@ fn is_image(path: &Path) -> Result<bool, InputError> {
 
 /// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
 pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
-    let compiled = compile(project);
+    let compiled = compile(project).map_err(|finding| InputError::Defect(finding.message))?;
     let image = admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
     let bytes = compiled.bytes.clone();
     Ok((compiled, Loaded { image, bytes }))

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use twinrung_compiler::operand::{Operand, Reference, SystemInstance};
 use twinrung_compiler::project::rung::Branch;
 use twinrung_compiler::project::{Call, Element, Instruction, OperandUse, Project, RoutineId, Rung, TagId};
-use twinrung_compiler::{CheckedLibrary, CheckedProject};
+use twinrung_compiler::CheckedProject;
 
 use crate::memory::{Base, Frame, Memory, Target};
 use crate::value::Value;
@@ -103,8 +103,7 @@ type Cells = (Vec<u8>, Vec<i32>);
 
 impl<'p> Judge<'p> {
     /// A judge over a checked project and the ladder half of the safety library. Every tag is 0 until it is set.
-    pub fn new(project: &'p CheckedProject, library: &'p CheckedLibrary) -> Judge<'p> {
-        let project = project.project();
+    pub fn new(project: &'p CheckedProject, library: &'p CheckedProject) -> Judge<'p> {
         let mut memory = Memory::default();
         for (index, tag) in project.tags.iter().enumerate() {
             if let (false, Some(type_reference)) = (tag.is_alias(), tag.type_reference) {
@@ -113,7 +112,7 @@ impl<'p> Judge<'p> {
         }
         Judge {
             project,
-            library: library.project(),
+            library,
             memory,
             flags: Flags::default(),
             now_ms: 0,

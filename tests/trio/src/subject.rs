@@ -4,7 +4,8 @@ use std::sync::OnceLock;
 
 use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_compiler::diagnostic::Finding;
-use twinrung_compiler::{CheckedLibrary, CheckedProject, Completion, check, check_library, compile};
+use twinrung_compiler::project::{RoutineId, TagId};
+use twinrung_compiler::{CheckedProject, Completion, check, check_library, compile};
 use twinrung_grammar::read;
 use twinrung_grammar::tree::Sources;
 
@@ -16,6 +17,10 @@ pub struct Subject {
     pub image: AdmittedImage,
     /// Its sealed bytes.
     pub bytes: Vec<u8>,
+    /// Which tag of the project each tag of the image is.
+    pub tags: Vec<TagId>,
+    /// Which routine of the project each routine of the image is.
+    pub routines: Vec<RoutineId>,
 }
 
 impl Subject {
@@ -27,7 +32,7 @@ impl Subject {
     pub fn from_text(text: &str) -> Result<Subject, Vec<String>> {
         let mut sources = Sources::new();
         let reading = read(&mut sources, "subject.rll", text.as_bytes().to_vec());
-        let checked = check(&sources, reading, Completion::default());
+        let checked = check(&reading, &Completion::default());
         let Some(project) = checked.project else {
             return Err(checked.findings.iter().filter(|finding| finding.is_error()).map(|finding| line(&sources, finding)).collect());
         };
@@ -36,9 +41,10 @@ impl Subject {
 
     /// Compiles a checked project. Panics when the loader refuses what the compiler made: that is a defect of ours.
     pub fn from_project(project: CheckedProject) -> Subject {
-        let bytes = compile(&project).bytes;
+        let compiled = compile(&project).unwrap_or_else(|finding| panic!("a checked project does not compile: {finding:?}"));
+        let (bytes, tags, routines) = (compiled.bytes, compiled.tags, compiled.routines);
         let image = admit(&bytes).unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
-        Subject { project, image, bytes }
+        Subject { project, image, bytes, tags, routines }
     }
 }
 
@@ -48,10 +54,10 @@ fn line(sources: &Sources, finding: &Finding) -> String {
 }
 
 /// The ladder half of the safety library as a checked tree, made once.
-pub fn library() -> &'static CheckedLibrary {
-    static LIBRARY: OnceLock<CheckedLibrary> = OnceLock::new();
+pub fn library() -> &'static CheckedProject {
+    static LIBRARY: OnceLock<CheckedProject> = OnceLock::new();
     LIBRARY.get_or_init(|| {
         check_library(twinrung_safety_partner::SOURCES)
-            .unwrap_or_else(|findings| panic!("the ladder library is refused: {findings:#?}"))
+            .unwrap_or_else(|error| panic!("the ladder library is refused: {error}"))
     })
 }

@@ -6,7 +6,8 @@ use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, TagIndex, 
 use twinrung_bytecode::layout;
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Element;
-use twinrung_compiler::project::{Project, TagId, TagScope};
+use twinrung_bytecode::image::TagKind;
+use twinrung_compiler::project::TagId;
 use twinrung_judge::{End, Judge};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
@@ -43,15 +44,14 @@ impl<'s> Trio<'s> {
     /// Loads a subject into all three. Nothing is prescanned yet.
     pub fn new(subject: &'s Subject) -> Trio<'s> {
         let mut judge = Judge::new(&subject.project, library());
-        let project = subject.project.project();
-        let tags = tags(subject, project);
+        let tags = tags(subject);
         let records = subject.image.image();
         for (tag, range) in &tags {
             let bits = &records.initial_bits[range.bit_cell as usize..][..range.bit_cells as usize];
             let words = &records.initial_words[range.word_cell as usize..][..range.word_cells as usize];
             judge.set_tag(*tag, bits, words);
         }
-        judge.number_as(numbers_of_programs(subject, project), numbers_of_routines(subject, project));
+        judge.number_as(numbers_of_programs(subject), numbers_of_routines(subject));
         let values = records.system_values.iter().map(|value| value.first as usize + 11).max().unwrap_or(0);
         Trio {
             primary: Primary::load(&subject.image).unwrap_or_else(|error| panic!("primary: {error}")),
@@ -281,63 +281,38 @@ fn plain_words<C: Channel>(channel: &C) -> Vec<i32> {
     }
 }
 
-/// Which tag of the image is which tag of the checked project.
-fn tags(subject: &Subject, project: &Project) -> Vec<(TagId, CellRange)> {
+/// Which tag of the checked project holds which cells.
+fn tags(subject: &Subject) -> Vec<(TagId, CellRange)> {
     let records = subject.image.image();
-    let mut found = Vec::new();
-    for (index, record) in records.tags.iter().enumerate() {
-        let program = record.program.and_then(|program| records.programs.get(program.position()));
-        let same_scope = |scope: TagScope| match (scope, program) {
-            (TagScope::Controller, None) => true,
-            (TagScope::Program(id), Some(program)) => project.programs[id.position()].name.eq_ignore_ascii_case(&program.name),
-            _ => false,
-        };
-        let position = project.tags.iter().position(|tag| {
-            !tag.is_alias() && same_scope(tag.scope) && tag.image_name().eq_ignore_ascii_case(&record.name)
-        });
-        let alias = matches!(record.kind, twinrung_bytecode::image::TagKind::Alias(_));
-        let (Some(position), false) = (position, alias) else { continue };
-        let (bits, words) = layout::cells(subject.image.layouts(), record.type_reference).unwrap_or_default();
-        let elements = layout::elements(record.dimensions).unwrap_or_default();
-        let range = CellRange {
-            tag: TagIndex(index as u32),
-            bit_cell: record.bit_cell,
-            bit_cells: bits * elements,
-            word_cell: record.word_cell,
-            word_cells: words * elements,
-        };
-        found.push((TagId(position as u32), range));
-    }
-    found
-}
-
-fn numbers_of_programs(subject: &Subject, project: &Project) -> Vec<u32> {
-    let records = &subject.image.image().programs;
-    let number = |name: &str| records.iter().position(|record| record.name.eq_ignore_ascii_case(name));
-    project.programs.iter().map(|program| number(&program.name).unwrap_or_default() as u32).collect()
-}
-
-fn numbers_of_routines(subject: &Subject, project: &Project) -> Vec<u32> {
-    use twinrung_bytecode::image::Owner;
-    use twinrung_compiler::project::RoutineOwner;
-    let image = subject.image.image();
-    project
-        .routines
-        .iter()
-        .map(|routine| {
-            let position = image.routines.iter().position(|record| {
-                let owner = match (record.owner, routine.owner) {
-                    (Owner::Program(a), RoutineOwner::Program(b)) => {
-                        image.programs[a.position()].name.eq_ignore_ascii_case(&project.programs[b.position()].name)
-                    }
-                    (Owner::AddOn(a), RoutineOwner::AddOn(b)) => {
-                        image.add_ons[a.position()].name.eq_ignore_ascii_case(&project.add_ons[usize::from(b.0)].name)
-                    }
-                    _ => false,
-                };
-                owner && record.name.eq_ignore_ascii_case(&routine.name)
-            });
-            position.unwrap_or_default() as u32
+    let plain = records.tags.iter().enumerate().filter(|(_, record)| !matches!(record.kind, TagKind::Alias(_)));
+    plain
+        .map(|(index, record)| {
+            let (bits, words) = layout::cells(subject.image.layouts(), record.type_reference).unwrap_or_default();
+            let elements = layout::elements(record.dimensions).unwrap_or_default();
+            let range = CellRange {
+                tag: TagIndex(index as u32),
+                bit_cell: record.bit_cell,
+                bit_cells: bits * elements,
+                word_cell: record.word_cell,
+                word_cells: words * elements,
+            };
+            (subject.tags[index], range)
         })
         .collect()
+}
+
+/// The number in the image of each program of the project.
+fn numbers_of_programs(subject: &Subject) -> Vec<u32> {
+    let records = &subject.image.image().programs;
+    let number = |name: &str| records.iter().position(|record| record.name.eq_ignore_ascii_case(name));
+    subject.project.programs.iter().map(|program| number(&program.name).unwrap_or_default() as u32).collect()
+}
+
+/// The number in the image of each routine of the project.
+fn numbers_of_routines(subject: &Subject) -> Vec<u32> {
+    let mut numbers = vec![0; subject.project.routines.len()];
+    for (index, routine) in subject.routines.iter().enumerate() {
+        numbers[routine.position()] = index as u32;
+    }
+    numbers
 }
