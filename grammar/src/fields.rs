@@ -17,8 +17,9 @@ impl<'e> Fields<'e> {
         Fields { list, errors }
     }
 
-    /// What nobody took.
-    pub(crate) fn rest(self) -> Vec<Attribute> {
+    /// What nobody took; without the memory of what was taken.
+    pub(crate) fn rest(mut self) -> Vec<Attribute> {
+        self.list.shrink_to_fit();
         self.list
     }
 

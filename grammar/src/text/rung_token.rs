@@ -55,6 +55,12 @@ pub(crate) enum RungToken {
     Semicolon,
 }
 
+/// Without memory to grow in.
+pub(crate) fn exact<T>(mut list: Vec<T>) -> Vec<T> {
+    list.shrink_to_fit();
+    list
+}
+
 /// Tokens of one rung; comments go to a list of their own.
 pub(crate) struct RungLexer<'a, 'c> {
     rung: Excerpt<'a>,
@@ -130,7 +136,8 @@ impl<'a, 'c> RungLexer<'a, 'c> {
     }
 
     fn operands(&mut self, instruction: usize, mnemonic: &str) -> Result<Vec<Operand>, ReadError> {
-        let mut operands = Vec::new();
+        // Most instructions have one operand, and a project has very many of them.
+        let mut operands = Vec::with_capacity(1);
         let mut gathered = Gathered::at(self.lexer.span().end);
         let mut nesting = 0u32;
         loop {
@@ -141,7 +148,7 @@ impl<'a, 'c> RungLexer<'a, 'c> {
                     if !operands.is_empty() || gathered.first.is_some() {
                         operands.push(self.operand(&gathered, range.start)?);
                     }
-                    return Ok(operands);
+                    return Ok(exact(operands));
                 }
                 Some(Ok(Atom::Comma)) if nesting == 0 => {
                     operands.push(self.operand(&gathered, range.start)?);

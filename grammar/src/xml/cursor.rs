@@ -36,8 +36,19 @@ pub(crate) struct Element<'a> {
 struct RawAttribute<'a> {
     key: &'a str,
     value: &'a str,
-    key_span: Span,
-    value_span: Span,
+    key_start: u32,
+    value_start: u32,
+}
+
+impl RawAttribute<'_> {
+    fn key(&self, source: SourceId) -> Name {
+        Name::new(self.key, Span::new(source, self.key_start, self.key_start + self.key.len() as u32))
+    }
+
+    fn value(&self, source: SourceId) -> Text {
+        let span = Span::new(source, self.value_start, self.value_start + self.value.len() as u32);
+        Text { text: unescape(self.value).as_ref().into(), span }
+    }
 }
 
 /// The text of an element.
@@ -69,7 +80,7 @@ impl<'a> Element<'a> {
 
     /// The value of an attribute.
     pub(crate) fn get(&self, key: &str) -> Option<Text> {
-        self.raw(key).map(|raw| Text { text: unescape(raw.value).as_ref().into(), span: raw.value_span })
+        self.raw(key).map(|raw| raw.value(self.span.source))
     }
 
     /// The value of an attribute as a name; empty when it is missing.
@@ -88,8 +99,8 @@ impl<'a> Element<'a> {
             .iter()
             .filter(|raw| !without.contains(&raw.key))
             .map(|raw| Attribute {
-                key: Name::new(raw.key, raw.key_span),
-                value: AttributeValue::Quoted(Text { text: unescape(raw.value).as_ref().into(), span: raw.value_span }),
+                key: raw.key(self.span.source),
+                value: AttributeValue::Quoted(raw.value(self.span.source)),
             })
             .collect()
     }
@@ -222,18 +233,18 @@ impl<'a> Xml<'a> {
             };
             let (key, key_start) = self.piece(attribute.key.into_inner());
             let (value, value_start) = self.piece(&attribute.value);
-            let key_span = self.span(key_start, key_start + key.len());
             if attributes.len() >= XML_ATTRIBUTES_MAX {
                 let message = format!("an element with more than {XML_ATTRIBUTES_MAX} attributes");
-                self.errors.add(ErrorKind::TooMany, key_span, message);
+                self.errors.add(ErrorKind::TooMany, self.span(key_start, key_start + key.len()), message);
                 break;
             }
             if attributes.iter().any(|other| other.key == key) {
-                self.errors.add(ErrorKind::MalformedXml, key_span, format!("`{key}` is set twice"));
+                let place = self.span(key_start, key_start + key.len());
+                self.errors.add(ErrorKind::MalformedXml, place, format!("`{key}` is set twice"));
                 continue;
             }
-            let value_span = self.span(value_start, value_start + value.len());
-            attributes.push(RawAttribute { key, value, key_span, value_span });
+            let (key_start, value_start) = (key_start as u32, value_start as u32);
+            attributes.push(RawAttribute { key, value, key_start, value_start });
         }
         Element { name, attributes, span }
     }

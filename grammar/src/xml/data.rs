@@ -123,6 +123,7 @@ impl<'a> Reader<'a> {
             };
             elements.extend(value.map(|value| (index, value)));
         }
+        elements.shrink_to_fit();
         Value::Array { data_type, dimensions, elements, span: element.span }
     }
 
@@ -143,6 +144,7 @@ impl<'a> Reader<'a> {
             let value = self.decorated_value(&child, depth + 1);
             members.extend(value.map(|value| MemberValue { name, data_type, value }));
         }
+        members.shrink_to_fit();
         Value::Structure { data_type, members, span: element.span }
     }
 }

@@ -28,7 +28,11 @@ impl<'a> Reader<'a> {
                     tag.attributes.extend(fields.rest());
                     self.xml.skip();
                 }
-                "Data" | "DefaultData" => tag.data.extend(self.data(&child)),
+                "Data" | "DefaultData" => {
+                    // L5K and decorated: most exports have these two.
+                    tag.data.reserve_exact(2);
+                    tag.data.extend(self.data(&child));
+                }
                 "ForceData" => tag.forces.extend(self.data(&child)),
                 _ => self.xml.skip(),
             }
