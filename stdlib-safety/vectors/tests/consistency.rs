@@ -130,3 +130,14 @@ fn vector_text_when_malformed_then_the_line_and_the_reason_are_told() {
     assert_eq!(refusal("vector X\n"), (1, VectorErrorKind::Incomplete));
     assert_eq!(for_instruction(Opcode::Xic).unwrap_err().kind, VectorErrorKind::NoVectors);
 }
+
+#[test]
+fn vectors_when_their_configuration_is_out_of_range_or_changes_then_they_are_not_admissible() {
+    let corrupt: BTreeSet<String> = vectors()
+        .iter()
+        .filter(|vector| !vector.is_admissible())
+        .map(|vector| format!("{:?}", vector.opcode))
+        .collect();
+    let expected = ["Cbcm", "Cbim", "Cbssm", "Fsbm", "Tsam", "Tssm"].map(str::to_owned);
+    assert_eq!(corrupt, BTreeSet::from(expected));
+}
