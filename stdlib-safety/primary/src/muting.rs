@@ -2,5 +2,7 @@
 
 mod common;
 pub(crate) mod fsbm;
+mod instruction;
+mod sequence;
 pub(crate) mod tsam;
 pub(crate) mod tssm;

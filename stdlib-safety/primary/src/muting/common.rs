@@ -3,6 +3,7 @@
 //! The instructions differ in their [`Sequence`]: which sensors there are, in which order they must change, and which
 //! times bind them.
 
+use super::sequence::{Field, Sequence, Stage};
 use crate::codes::{INPUT_STATUS, NONE, RESET_HELD};
 use crate::edge::Edge;
 use crate::restart::AUTOMATIC_RESTART_MS;
@@ -13,22 +14,12 @@ use core::ops::RangeInclusive;
 const LAMP: i32 = 0xF050;
 /// Fault: Enable Mute went OFF while muted with the curtain blocked. 2.8, decided.
 const ENABLE_LOST: i32 = 0xF051;
-/// Fault: sensors changed in a wrong order. 2.8, decided.
-const WRONG_ORDER: i32 = 0xF052;
-/// Fault: curtain blocked during a sequence although it was not muted. 2.8, decided.
-const CURTAIN_NOT_MUTED: i32 = 0xF053;
-/// Fault: a sensor changed wrongly while muted with the curtain blocked. 2.8, decided.
-const SENSOR_UNDER_LOAD: i32 = 0xF054;
 /// Fault: Maximum Mute Time reached. 2.8, decided.
 const MUTE_TIME: i32 = 0xF060;
 /// Fault: Maximum Override Time reached. 2.8, decided.
 const OVERRIDE_TIME: i32 = 0xF061;
 /// Fault: configuration out of range. 2.8, decided.
 const CONFIGURATION: i32 = 0xF06F;
-/// Fault of TSAM and FSBM: S1-S2 Time reached. 2.8, decided.
-pub(crate) const S1_S2_TIME: i32 = 0xF058;
-/// Fault of TSAM and FSBM: S2-LC Time reached. 2.8, decided.
-pub(crate) const S2_LC_TIME: i32 = 0xF059;
 
 /// Diagnostic: clear curtain and sensors. 2.9, decided.
 const CLEAR_AREA: i32 = 0xF150;
@@ -43,71 +34,6 @@ const RELEASE_OVERRIDE: i32 = 0xF153;
 const MUTE_RANGE_S: RangeInclusive<i32> = 0..=3600;
 /// Maximum Override Time in s; 0 = override never works. 2.2, 30 s repo R6, 0 decided.
 const OVERRIDE_RANGE_S: RangeInclusive<i32> = 0..=30;
-/// Times between two elements in ms, beside 0 = no limit. 2.2, recalled 60 %.
-const PAIR_RANGE_MS: RangeInclusive<i32> = 5..=180_000;
-
-/// Whether a time between two elements is 0 or in its range (2.2).
-pub(crate) fn is_pair_time(time_ms: i32) -> bool {
-    time_ms == 0 || PAIR_RANGE_MS.contains(&time_ms)
-}
-
-/// Where a sequence is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stage {
-    /// Not armed: everything must be seen clear once.
-    Wait,
-    /// Everything was clear; material may come.
-    Idle,
-    /// Material is in the sensors.
-    Running,
-}
-
-/// What one instruction has of its own.
-pub(crate) trait Sequence: Default {
-    /// The blocked elements of one scan.
-    type Field: Field;
-    /// The times that bind the sequence, as they were at prescan.
-    type Times;
-
-    /// Where the sequence is.
-    fn stage(&self) -> Stage;
-    /// Whether the curtain is muted in this step.
-    fn muted(&self) -> bool;
-    /// Back to WAIT, all timers cleared.
-    fn wait(&mut self) {
-        *self = Self::default();
-    }
-    /// To IDLE, all timers cleared.
-    fn idle(&mut self);
-    /// One scan of the step table from IDLE or a running step; gives a fault or 0.
-    fn step(&mut self, field: &Self::Field, times: &Self::Times, now_ms: i64) -> i32;
-    /// The pair timers of a running sequence; gives a fault or 0.
-    fn overdue(&mut self, field: &Self::Field, times: &Self::Times, now_ms: i64) -> i32;
-}
-
-/// The elements that can be blocked.
-pub(crate) trait Field {
-    /// Whether the light curtain is blocked.
-    fn curtain(&self) -> bool;
-    /// Whether a sensor is blocked.
-    fn any_sensor(&self) -> bool;
-}
-
-/// The fault of a pattern that the step table does not allow (3.3, 5.3).
-pub(crate) fn wrong(muted: bool, curtain: bool) -> i32 {
-    match (muted, curtain) {
-        (true, true) => SENSOR_UNDER_LOAD,
-        (false, true) => CURTAIN_NOT_MUTED,
-        (_, false) => WRONG_ORDER,
-    }
-}
-
-/// A pair timer (2.7): runs while its two elements differ, 0 disables it.
-pub(crate) fn pair_overdue(timer: &mut Timer, differ: bool, limit_ms: i32, now_ms: i64) -> bool {
-    timer.follow(differ, now_ms);
-    limit_ms != 0 && timer.reached(now_ms, limit_ms)
-}
-
 /// What every instruction reads beside its field.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs {
@@ -364,83 +290,3 @@ impl<S: Sequence> Muting<S> {
         self.configuration.as_ref().is_some_and(|configuration| configuration.restart_automatic)
     }
 }
-
-/// The members that the three instructions have, with `read_inputs`, `read_configuration` and `write` for them, and
-/// the memory of a call.
-macro_rules! muting_instruction {
-    (
-        $(#[$doc:meta])* $name:ident, $sequence:ty, $backing:path;
-        inputs { $($input:ident = $input_name:literal),* $(,)? }
-    ) => {
-        crate::members::members! {
-            $backing;
-            inputs {
-                RESTART_TYPE = "RestartType",
-                MAXIMUM_MUTE_TIME = "MaximumMuteTime",
-                MAXIMUM_OVERRIDE_TIME = "MaximumOverrideTime",
-                LIGHT_CURTAIN = "LightCurtain",
-                SENSOR_1 = "Sensor1",
-                SENSOR_2 = "Sensor2",
-                ENABLE_MUTE = "EnableMute",
-                OVERRIDE = "Override",
-                INPUT_STATUS = "InputStatus",
-                MUTING_LAMP_STATUS = "MutingLampStatus",
-                RESET = "Reset",
-                $($input = $input_name,)*
-            }
-            outputs {
-                O1 = "O1",
-                ML = "ML",
-                CA = "CA",
-                FP = "FP",
-                FAULT_CODE = "FaultCode",
-                DIAGNOSTIC_CODE = "DiagnosticCode",
-            }
-        }
-
-        $(#[$doc])*
-        #[derive(Clone, Debug, Default, PartialEq)]
-        pub struct $name {
-            muting: $crate::muting::common::Muting<$sequence>,
-        }
-
-        impl $name {
-            pub(crate) fn prescan(&mut self, members: &mut Members) {
-                let times = read_times(members);
-                let usable = times.usable();
-                let configuration = $crate::muting::common::Configuration {
-                    restart_automatic: members[RESTART_TYPE] != 0,
-                    mute_s: members[MAXIMUM_MUTE_TIME],
-                    override_s: members[MAXIMUM_OVERRIDE_TIME],
-                    times,
-                };
-                self.muting.prescan(configuration, usable);
-                clear_outputs(members);
-            }
-
-            pub(crate) fn scan(&mut self, rung: bool, now_ms: i64, members: &mut Members) {
-                if !rung {
-                    self.muting.rung_false();
-                    clear_outputs(members);
-                    return;
-                }
-                let inputs = $crate::muting::common::Inputs {
-                    enable_mute: members[ENABLE_MUTE] != 0,
-                    override_request: members[OVERRIDE] != 0,
-                    input_status: members[INPUT_STATUS] != 0,
-                    lamp_good: members[MUTING_LAMP_STATUS] != 0,
-                    reset: members[RESET] != 0,
-                };
-                let outputs = self.muting.scan(&inputs, &read_field(members), now_ms);
-                members[O1] = i32::from(outputs.o1);
-                members[ML] = i32::from(outputs.muting_lamp);
-                members[CA] = i32::from(outputs.clear_area);
-                members[FP] = i32::from(outputs.fault != $crate::codes::NONE);
-                members[FAULT_CODE] = outputs.fault;
-                members[DIAGNOSTIC_CODE] = outputs.diagnostic;
-            }
-        }
-    };
-}
-
-pub(crate) use muting_instruction;

@@ -1,8 +1,7 @@
 //! FSBM, Four Sensor Bi-directional Muting. `muting-and-outputs.md` 5.
 
-use super::common::{
-    Field, S1_S2_TIME, S2_LC_TIME, Sequence, Stage, is_pair_time, muting_instruction, pair_overdue, wrong,
-};
+use super::instruction::muting_instruction;
+use super::sequence::{Field, S1_S2_TIME, S2_LC_TIME, Sequence, Stage, is_pair_time, pair_overdue, wrong};
 use crate::codes::NONE;
 use crate::timer::Timer;
 use twinrung_catalog::types::safety::muting::MUTING_FOUR_SENSOR_BIDIR;

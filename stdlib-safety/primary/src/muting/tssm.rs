@@ -1,6 +1,7 @@
 //! TSSM, Two Sensor Symmetrical Muting. `muting-and-outputs.md` 4.
 
-use super::common::{Field, Sequence, Stage, is_pair_time, muting_instruction, pair_overdue, wrong};
+use super::instruction::muting_instruction;
+use super::sequence::{Field, Sequence, Stage, is_pair_time, pair_overdue, wrong};
 use crate::codes::NONE;
 use crate::timer::Timer;
 use core::ops::RangeInclusive;
