@@ -70,6 +70,8 @@ pub const EVENT_TASKS: usize = 32;
 /// Instructions that one scan can execute without a backward jump, subroutines counted at each call: the budget of a
 /// scan is compared only at backward jumps and at its end, so this bounds how late that may be.
 pub const STRAIGHT_INSTRUCTIONS: u64 = 1 << 24;
+/// Calls with a backing tag, counted at every place where an Add-On Instruction that holds one is called.
+pub const BACKING_CALLS: usize = 1 << 20;
 /// Longest name in an image: 40 characters for a component, more for module tags and hidden members.
 pub const NAME_BYTES: usize = 255;
 /// Longest period of a safety task in microseconds (1756-RM093: 500 ms).
