@@ -171,14 +171,24 @@ fn operand_words(operand: &Operand) -> String {
             let words: Vec<String> = list.words.iter().map(|(word, value)| format!("{word} ({value})")).collect();
             words.join(" | ")
         }
-        OperandKind::Literal { least, greatest, step, unit } => {
+        OperandKind::Literal { or_zero, least, greatest, step, unit } => {
+            let zero = if or_zero { "0, or " } else { "" };
             let multiples = if step > 1 { format!(", in steps of {step}") } else { String::new() };
-            format!("{least} to {greatest} {unit}{multiples}")
+            format!("{zero}{least} to {greatest} {unit}{multiples}").trim_end().to_owned()
         }
         OperandKind::SafetyBit { immediate: true } => "BOOL tag, or 0 or 1".to_owned(),
         OperandKind::SafetyBit { immediate: false } => "BOOL tag".to_owned(),
-        OperandKind::SafetyInteger => "DINT tag or number".to_owned(),
-        OperandKind::SafetyReal => "REAL tag or number".to_owned(),
+        OperandKind::SafetyInteger { immediate: Some((least, greatest)), unit } => {
+            format!("DINT tag, or {least} to {greatest} {unit}").trim_end().to_owned()
+        }
+        OperandKind::SafetyInteger { immediate: None, .. } => "DINT tag".to_owned(),
+        OperandKind::SafetyReal { immediate: true, .. } => "REAL tag or number".to_owned(),
+        OperandKind::SafetyReal { immediate: false, .. } => "REAL tag".to_owned(),
+        OperandKind::CopySource => "tag, or element of an array, to copy from".to_owned(),
+        OperandKind::CopyDestination => "tag, or element of an array, to copy to".to_owned(),
+        OperandKind::FillDestination => "number tag, the first of those that are filled".to_owned(),
+        OperandKind::Array => "array, or an element of one".to_owned(),
+        OperandKind::SystemData(how) => format!("tag of the attribute's size, {}", access(how)),
         OperandKind::Resettable => "TIMER, COUNTER or CONTROL tag".to_owned(),
         OperandKind::ConstantLength => "positive number (a constant)".to_owned(),
         OperandKind::Expression => "expression".to_owned(),
@@ -194,7 +204,6 @@ fn operand_words(operand: &Operand) -> String {
         OperandKind::SystemClass => "object class".to_owned(),
         OperandKind::SystemInstance => "object name, or nothing".to_owned(),
         OperandKind::SystemAttribute => "attribute".to_owned(),
-        other => format!("{other:?}"),
     };
     if operand.repeats { format!("{words}; any number of them") } else { words }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use twinrung_compiler::operand::{Operand, Reference, SystemInstance};
+use twinrung_compiler::operand::{Operand, SystemInstance};
 use twinrung_compiler::project::rung::Branch;
 use twinrung_compiler::project::{Call, Element, Instruction, OperandUse, Project, RoutineId, Rung, TagId};
 use twinrung_compiler::CheckedProject;
@@ -385,13 +385,6 @@ impl<'p> Judge<'p> {
 
     pub(crate) fn operand<'a>(&self, frame: &Frame<'a>, operand: OperandUse) -> &'a Operand {
         frame.project.operand(operand.id)
-    }
-
-    pub(crate) fn reference<'a>(&self, frame: &Frame<'a>, operand: OperandUse) -> &'a Reference {
-        match self.operand(frame, operand) {
-            Operand::Reference(reference) => reference,
-            other => panic!("not a reference: {other:?}"),
-        }
     }
 
     pub(crate) fn target(&mut self, frame: &Frame<'_>, operand: OperandUse) -> Result<Target, Exit> {

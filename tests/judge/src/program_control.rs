@@ -45,7 +45,7 @@ impl<'p> Judge<'p> {
             (Opcode::Jsr, true) => return self.subroutine(frame, operands),
             (Opcode::Event, true) => {
                 if let Operand::EventTask(task) = self.operand(frame, operands[0]) {
-                    *self.events.entry(task.to_ascii_lowercase()).or_default() += 1;
+                    *self.events.entry(task.to_ascii_lowercase().to_string()).or_default() += 1;
                 }
             }
             (Opcode::Gsv | Opcode::Ssv, true) => return self.system_value(frame, opcode, operands),

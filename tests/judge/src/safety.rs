@@ -108,10 +108,10 @@ impl<'p> Judge<'p> {
         };
         let flags = self.flags;
         if frame.prescanning {
-            for routine in definition.logic {
+            if let Some(routine) = definition.logic {
                 self.routine(&inner, routine)?;
             }
-            for routine in definition.prescan {
+            if let Some(routine) = definition.prescan {
                 self.routine(&Frame { prescanning: false, ..inner.clone() }, routine)?;
             }
         } else if let Some(routine) = if condition { definition.logic } else { definition.enable_in_false } {
