@@ -121,6 +121,7 @@ fn tasks_when_read_then_have_times_and_programs() {
 fn islands_when_skipped_then_are_named() {
     let file = sample().file;
     let kinds: Vec<_> = file.islands.iter().map(|island| island.kind.as_str()).collect();
-    assert_eq!(kinds, ["HISTORY_ENTRY", "PARAMETER_CONNECTION", "TREND", "QUICK_WATCH", "CONFIG", "CONFIG"]);
+    assert_eq!(kinds, ["PARAMETER_CONNECTION", "TREND", "QUICK_WATCH", "CONFIG", "CONFIG"]);
+    assert_eq!(file.add_on_instructions[0].islands[0].kind.as_str(), "HISTORY_ENTRY");
     assert_eq!(file.programs[0].islands[0].kind.as_str(), "CHILD_PROGRAMS");
 }

@@ -157,18 +157,17 @@ fn add_on_instruction(layout: &mut Layout, add_on: &AddOnInstruction) {
     let head = format!("ADD_ON_INSTRUCTION_DEFINITION {}", add_on.name);
     layout.block(&add_on.trivia, &head, &list.items, "END_ADD_ON_INSTRUCTION_DEFINITION", |layout| {
         if !add_on.parameters.is_empty() {
-            layout.line("PARAMETERS");
-            layout.inside(|layout| {
+            layout.list("PARAMETERS", "END_PARAMETERS", |layout| {
                 for parameter in &add_on.parameters {
                     self::parameter(layout, parameter);
                 }
             });
-            layout.line("END_PARAMETERS");
         }
         tags(layout, &add_on.local_tags, "LOCAL_TAGS", "END_LOCAL_TAGS");
         for routine in &add_on.routines {
             self::routine(layout, routine);
         }
+        islands(layout, &add_on.islands);
     });
 }
 
@@ -212,8 +211,7 @@ fn tags(layout: &mut Layout, tags: &[Tag], begin: &str, end: &str) {
     if !tags.iter().any(declared) {
         return;
     }
-    layout.line(begin);
-    layout.inside(|layout| {
+    layout.list(begin, end, |layout| {
         let mut rest = tags;
         while let Some((first, others)) = rest.split_first() {
             let joined = others.iter().take_while(|tag| tag.joins_previous && is_alike(first, tag)).count();
@@ -224,7 +222,6 @@ fn tags(layout: &mut Layout, tags: &[Tag], begin: &str, end: &str) {
             rest = others;
         }
     });
-    layout.line(end);
 }
 
 /// Whether a tag says the same as another but for its name.

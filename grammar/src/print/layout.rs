@@ -10,11 +10,15 @@ const INDENT: &str = "  ";
 pub(super) struct Layout {
     out: String,
     depth: usize,
+    /// The last line begins a block, or there is none.
+    opened: bool,
+    /// The last thing was a block of several lines.
+    closed: bool,
 }
 
 impl Layout {
     pub(super) fn new() -> Layout {
-        Layout { out: String::new(), depth: 0 }
+        Layout { out: String::new(), depth: 0, opened: true, closed: false }
     }
 
     pub(super) fn finish(self) -> String {
@@ -29,9 +33,18 @@ impl Layout {
 
     /// A line of its own.
     pub(super) fn line(&mut self, text: &str) {
+        self.separate();
         self.indent();
         self.out.push_str(text);
         self.out.push('\n');
+    }
+
+    /// An empty line between a block and what follows it.
+    fn separate(&mut self) {
+        if self.closed {
+            self.out.push('\n');
+        }
+        (self.opened, self.closed) = (false, false);
     }
 
     /// What is printed inside stands one step to the right.
@@ -58,6 +71,7 @@ impl Layout {
     /// A declaration with its comments: `before`, attributes in parentheses, `after`.
     pub(super) fn declaration(&mut self, trivia: &Trivia, before: &str, attributes: &[String], after: &str) {
         self.leading(trivia);
+        self.separate();
         self.indent();
         self.out.push_str(before);
         if !attributes.is_empty() {
@@ -96,11 +110,36 @@ impl Layout {
         end: &str,
         print: impl FnOnce(&mut Layout),
     ) {
+        let begins_after = std::mem::replace(&mut self.opened, false);
+        let start = self.out.len();
         self.declaration(trivia, head, attributes, "");
+        let body = self.out.len();
+        self.opened = true;
         self.inside(|layout| {
             print(layout);
+            layout.closed = false;
             layout.closing(trivia);
         });
-        self.line(end);
+        let one_line = self.out.len() == body && trivia.trailing().is_empty();
+        if one_line {
+            self.out.truncate(body - 1);
+            self.out.push(' ');
+            self.out.push_str(end);
+            self.out.push('\n');
+        } else {
+            self.indent();
+            self.out.push_str(end);
+            self.out.push('\n');
+            // An empty line before a block that is not the first thing in its own.
+            if !begins_after && !self.out[start..].starts_with('\n') {
+                self.out.insert(start, '\n');
+            }
+        }
+        (self.opened, self.closed) = (false, !one_line);
+    }
+
+    /// A block without a head: a list of tags.
+    pub(super) fn list(&mut self, begin: &str, end: &str, print: impl FnOnce(&mut Layout)) {
+        self.block(&Trivia::none(), begin, &[], end, print);
     }
 }

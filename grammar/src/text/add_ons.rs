@@ -24,7 +24,7 @@ impl Reader<'_> {
                 _ => {
                     if let Some(token) = self.cursor.peek() {
                         match self.island(word) {
-                            Some(island) => self.file.islands.push(island),
+                            Some(island) => add_on.islands.push(island),
                             None => self.unknown_declaration(word, token),
                         }
                     }

@@ -220,7 +220,9 @@ impl<'a> Reader<'a> {
                     }
                     self.stray(token);
                 }
-                Some("CONTROLLER") if is_followed_by_word(self.cursor.file, token) => {
+                Some(word)
+                    if is_block_word(word) && !may_hold(end, word) && is_followed_by_word(self.cursor.file, token) =>
+                {
                     self.unclosed(head, end);
                     return Next::End;
                 }
@@ -338,6 +340,28 @@ impl<'a> Reader<'a> {
     fn unexpected_taken(&mut self, token: Placed, expected: &str) {
         let message = format!("expected {expected}, found `{}`", clip(self.cursor.slice(token)));
         self.cursor.errors.add(ErrorKind::UnknownDeclaration, self.cursor.span(token), message);
+    }
+}
+
+/// Which blocks stand in which, by the word that ends the outer one. Any other block that begins in it
+/// shows that its end is missing.
+fn may_hold(end: &str, word: &str) -> bool {
+    match end {
+        "END_CONTROLLER" => word != "CONTROLLER",
+        "END_PROGRAM" => {
+            matches!(
+                word,
+                "TAG" | "ROUTINE" | "ST_ROUTINE" | "FBD_ROUTINE" | "SFC_ROUTINE" | "ENCODED_DATA" | "CHILD_PROGRAMS"
+            )
+        }
+        "END_ADD_ON_INSTRUCTION_DEFINITION" => {
+            matches!(
+                word,
+                "PARAMETERS" | "LOCAL_TAGS" | "ROUTINE" | "ST_ROUTINE" | "FBD_ROUTINE" | "SFC_ROUTINE" | "ENCODED_DATA"
+            )
+        }
+        "END_MODULE" => word == "CONNECTION",
+        _ => false,
     }
 }
 

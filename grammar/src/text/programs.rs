@@ -21,10 +21,6 @@ impl Reader<'_> {
                     Ok(routine) => program.routines.push(routine),
                     Err(encoded) => program.encoded.push(encoded),
                 },
-                "PROGRAM" | "TASK" | "MODULE" | "DATATYPE" | "ADD_ON_INSTRUCTION_DEFINITION" => {
-                    self.unclosed(span, "END_PROGRAM");
-                    break;
-                }
                 _ => {
                     if let Some(token) = self.cursor.peek() {
                         match self.island(word) {

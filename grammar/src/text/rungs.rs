@@ -4,7 +4,7 @@ use lalrpop_util::ParseError;
 
 use super::rung_token::{RungLexer, RungToken};
 use super::token::Token;
-use super::{Reader, cursor::is_block_word, is_followed_by_word, rung};
+use super::{Reader, rung};
 use crate::excerpt::Excerpt;
 use crate::reading::number::clip;
 use crate::tree::{
@@ -88,10 +88,6 @@ impl Reader<'_> {
         let mut trivia = Trivia::none();
         while let super::Next::Word(word) = self.next_in_block(head) {
             let Some(token) = self.cursor.peek() else { break };
-            if is_block_word(word) && is_followed_by_word(self.cursor.file, token) {
-                self.unclosed(head, "END_ROUTINE");
-                break;
-            }
             for line in self.cursor.leading().leading() {
                 trivia.push_leading(line.clone());
             }

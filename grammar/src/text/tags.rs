@@ -1,8 +1,7 @@
 //! Blocks of tags, and parameters and local tags, which look like tags.
 
 use super::build::TagDeclaration;
-use super::cursor::is_block_word;
-use super::{Next, Reader, declaration, is_followed_by_word};
+use super::{Next, Reader, declaration};
 use crate::components;
 use crate::fields::Fields;
 use crate::tree::{
@@ -62,14 +61,7 @@ impl Reader<'_> {
     }
 
     fn tag_declaration(&mut self, block: Span) -> Option<(TagDeclaration, Span, Trivia)> {
-        while let Next::Word(word) = self.next_in_block(block) {
-            if is_block_word(word)
-                && self.cursor.peek().is_some_and(|token| is_followed_by_word(self.cursor.file, token))
-            {
-                let end = self.open.last().copied().unwrap_or("");
-                self.unclosed(block, end);
-                return None;
-            }
+        while let Next::Word(_) = self.next_in_block(block) {
             let mut trivia = self.cursor.leading();
             let parsed = self.statement("a tag declaration such as `Name : TYPE;`", |file, run| {
                 declaration::TagParser::new().parse(file, run.iter().copied())

@@ -1,7 +1,8 @@
 //! Add-On Instructions.
 
 use super::{
-    Attribute, Class, Data, Dimensions, ExternalAccess, Name, Operand, Routine, Span, Spanned, Tag, Text, Trivia, Usage,
+    Attribute, Class, Data, Dimensions, ExternalAccess, Island, Name, Operand, Routine, Span, Spanned, Tag, Text,
+    Trivia, Usage,
 };
 
 /// An `ADD_ON_INSTRUCTION_DEFINITION`.
@@ -29,6 +30,8 @@ pub struct AddOnInstruction {
     pub local_tags: Vec<Tag>,
     /// Logic, Prescan, Postscan, EnableInFalse: by their names.
     pub routines: Vec<Routine>,
+    /// What else stands in it and is skipped: the history of its signatures.
+    pub islands: Vec<Island>,
     /// For people.
     pub description: Option<Box<Text>>,
     /// Everything else: dates, authors, the maker's signatures.

@@ -332,6 +332,7 @@ fn add_on() -> impl Strategy<Value = AddOnInstruction> {
             parameters: lists.0,
             local_tags: lists.1,
             routines: lists.2,
+            islands: Vec::new(),
             description,
             attributes,
             trivia,
