@@ -1,0 +1,44 @@
+//! An instruction that this controller or revision does not admit. 1756-RM093 Table 12, footnote 1 and column "from".
+
+use twinrung_catalog::{Family, Instruction, Requires};
+use twinrung_grammar::tree::Name;
+
+use crate::diagnostic::Finding;
+use crate::project::Profile;
+
+rule! {
+    /// An instruction that this controller does not admit.
+    "S0102", Error, "an instruction is not admitted on this controller",
+    "Some certified instructions are certified for some controllers only, or from a revision on. Use another instruction, or another controller or revision.",
+    "1756-RM093 Table 12, footnote 1; catalog of the certified set",
+    good: sample!(on "1756-L73S", "20"; "    A : DINT (Class := Safety);\n    B : BOOL (Class := Safety);\n", "      N: CMP(A > 7)OTE(B);\n"),
+    bad: sample!(on "1756-L63S", "20"; "    A : DINT (Class := Safety);\n    B : BOOL (Class := Safety);\n", "      N: <<CMP>>(A > 7)OTE(B);\n")
+}
+
+/// Whether a controller offers what something requires.
+pub(crate) fn offers(profile: &Profile, requires: Requires) -> bool {
+    match requires {
+        Requires::Any => true,
+        Requires::L7x => profile.controller.family == Family::L7x,
+        Requires::Real => profile.has_real(),
+    }
+}
+
+/// The finding, when the instruction is not admitted.
+pub(crate) fn finding(profile: &Profile, declaration: &Instruction, mnemonic: &Name) -> Option<Finding> {
+    let name = declaration.mnemonic;
+    if !offers(profile, declaration.requires) {
+        let message = format!("{name} is not admitted on the {}", profile.controller.catalog_number);
+        let help = match declaration.requires {
+            Requires::Real => "it works on REAL, which safety data of this controller may not be",
+            Requires::Any | Requires::L7x => "use simpler instructions (EQU, ADD, MOV, ...), or a 1756-L7xS or later",
+        };
+        return Some(Finding::new(&CODE, mnemonic.span, message).help(help));
+    }
+    if profile.revision < u16::from(declaration.first_version) {
+        let message =
+            format!("{name} is admitted from revision {} on; this is {}", declaration.first_version, profile.display());
+        return Some(Finding::new(&CODE, mnemonic.span, message).help("use another instruction, or a later revision"));
+    }
+    None
+}
