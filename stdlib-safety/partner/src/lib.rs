@@ -32,6 +32,7 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("Muting_Core", "muting_core"),
     source!("Analog_Core", "analog_core"),
     source!("Redundant_Input_Core", "redundant_input_core"),
+    source!("Valve_Feedback", "valve_feedback"),
     source!("DCS", "dcs"),
     source!("DCST", "dcst"),
     source!("DCSTL", "dcstl"),
@@ -54,6 +55,12 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("LC", "lc"),
     source!("FPMS", "fpms"),
     source!("THRS", "thrs"),
+    source!("EPMS", "epms"),
+    source!("CPM", "cpm"),
+    source!("CSM", "csm"),
+    source!("AVC", "avc"),
+    source!("MVC", "mvc"),
+    source!("MMVC", "mmvc"),
 ];
 
 /// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
