@@ -1,0 +1,215 @@
+//! FAL and FSC. general-instructions.md A.6.
+
+use twinrung_bytecode::observer::Observer;
+use twinrung_catalog::Opcode;
+
+use super::cells::Cells;
+use super::compare::is_true;
+use super::{CONTROL_NEGATIVE, FaultCode, Run};
+use crate::machine::ENDED_WHILE_FALSE;
+use crate::program::{Instruction, Operand};
+
+/// Cells of a CONTROL after its first: words LEN, POS; bits EN, EU, DN, EM, ER, UL, IN, FD.
+const POS: u32 = 1;
+const DN: u32 = 2;
+const ER: u32 = 4;
+const IN: u32 = 6;
+const FD: u32 = 7;
+
+/// Modes in an image; a positive number is elements per execution.
+const ALL: i32 = 0;
+const INC: i32 = -1;
+
+/// One FAL or FSC with its CONTROL.
+#[derive(Clone, Copy)]
+struct File {
+    control: Cells,
+    is_search: bool,
+    destination: Operand,
+    expression: Operand,
+}
+
+impl<O: Observer> Run<'_, O> {
+    /// One execution of FAL or FSC.
+    pub(super) fn file(&mut self, instruction: Instruction, input: bool) -> Result<(), FaultCode> {
+        let control = self.structure(self.program.operand(instruction.operands, 0))?;
+        let mode = match self.program.operand(instruction.operands, 3) {
+            Operand::Integer(mode) => mode,
+            _ => ALL,
+        };
+        let is_search = instruction.opcode == Opcode::Fsc;
+        let (destination, expression) = if is_search {
+            (Operand::Nothing, self.program.operand(instruction.operands, 4))
+        } else {
+            (self.program.operand(instruction.operands, 4), self.program.operand(instruction.operands, 5))
+        };
+        let file = File { control, is_search, destination, expression };
+        let blocked = self.flag(file, if is_search { IN } else { ER });
+        match mode {
+            ALL => self.file_all(file, input, blocked),
+            INC => self.file_incremental(file, input, blocked),
+            count => self.file_numeric(file, input, blocked, count),
+        }
+    }
+
+    fn flag(&self, file: File, bit: u32) -> bool {
+        self.machine.bit(file.control.bit.saturating_add(bit))
+    }
+
+    fn put_flag(&mut self, file: File, bit: u32, value: bool) {
+        self.write_bit(file.control.bit.saturating_add(bit), value);
+    }
+
+    fn position(&self, file: File) -> i32 {
+        self.machine.word(file.control.word.saturating_add(POS))
+    }
+
+    fn put_position(&mut self, file: File, position: i32) {
+        self.write_word(file.control.word.saturating_add(POS), position as u32);
+    }
+
+    fn file_all(&mut self, file: File, input: bool, blocked: bool) -> Result<(), FaultCode> {
+        if !input {
+            self.rest(file);
+            return Ok(());
+        }
+        if blocked {
+            return Ok(());
+        }
+        if !self.flag(file, 0) {
+            self.check(file)?;
+            self.begin_file(file);
+            self.put_position(file, 0);
+            self.elements(file, i32::MAX)
+        } else if file.is_search && !self.flag(file, DN) {
+            self.check(file)?;
+            self.pass_hit(file);
+            self.elements(file, i32::MAX)
+        } else {
+            Ok(())
+        }
+    }
+
+    fn file_incremental(&mut self, file: File, input: bool, blocked: bool) -> Result<(), FaultCode> {
+        if !input {
+            self.rest(file);
+            return Ok(());
+        }
+        if blocked || self.flag(file, 0) {
+            return Ok(());
+        }
+        self.check(file)?;
+        // A hit whose IN was cleared is passed; FD still marks it.
+        if file.is_search && self.flag(file, FD) && !self.flag(file, DN) {
+            self.pass_hit(file);
+        }
+        self.begin_file(file);
+        self.elements(file, 1)
+    }
+
+    fn file_numeric(&mut self, file: File, input: bool, blocked: bool, count: i32) -> Result<(), FaultCode> {
+        if blocked {
+            return Ok(());
+        }
+        let word = file.control.word;
+        if !self.flag(file, 0) {
+            if !input {
+                return Ok(());
+            }
+            self.check(file)?;
+            self.begin_file(file);
+            self.put_position(file, 0);
+        } else if self.flag(file, DN) {
+            let ended_while_false = self.machine.hidden(word) == ENDED_WHILE_FALSE;
+            if !input || ended_while_false {
+                self.machine.put_hidden(word, 0);
+                self.put_flag(file, 0, false);
+                self.put_flag(file, DN, false);
+                self.put_position(file, 0);
+            }
+            return Ok(());
+        } else {
+            self.check(file)?;
+            if file.is_search && self.flag(file, FD) {
+                self.pass_hit(file);
+            }
+        }
+        self.elements(file, count)?;
+        let ended_while_false = self.flag(file, DN) && !input;
+        self.machine.put_hidden(word, if ended_while_false { ENDED_WHILE_FALSE } else { 0 });
+        Ok(())
+    }
+
+    /// A false rung in ALL and INC mode.
+    fn rest(&mut self, file: File) {
+        self.put_flag(file, 0, false);
+        if self.flag(file, DN) {
+            self.put_flag(file, DN, false);
+            self.put_position(file, 0);
+        }
+    }
+
+    /// LEN and POS must not be negative before anything is changed.
+    fn check(&self, file: File) -> Result<(), FaultCode> {
+        let negative = self.machine.word(file.control.word) < 0 || self.position(file) < 0;
+        if negative { Err(CONTROL_NEGATIVE) } else { Ok(()) }
+    }
+
+    fn begin_file(&mut self, file: File) {
+        self.put_flag(file, 0, true);
+        self.put_flag(file, DN, false);
+        if file.is_search {
+            self.put_flag(file, FD, false);
+        }
+    }
+
+    /// FSC goes on behind the element that it found.
+    fn pass_hit(&mut self, file: File) {
+        let next = self.position(file).saturating_add(1);
+        self.put_position(file, next);
+    }
+
+    /// Processes up to `count` elements from POS on.
+    fn elements(&mut self, file: File, count: i32) -> Result<(), FaultCode> {
+        let mut remaining = count;
+        while remaining > 0 && self.position(file) < self.machine.word(file.control.word) {
+            remaining = remaining.saturating_sub(1);
+            self.retire(1);
+            let stop = if file.is_search { self.search_element(file)? } else { self.store_element(file)? };
+            if stop {
+                return Ok(());
+            }
+            // The expression may have moved POS only by being stored there; FAL goes on from where it is.
+            let next = self.position(file).saturating_add(1);
+            self.put_position(file, next);
+        }
+        if self.position(file) >= self.machine.word(file.control.word) {
+            self.put_flag(file, DN, true);
+        }
+        Ok(())
+    }
+
+    /// FAL: whether an overflow stops it.
+    fn store_element(&mut self, file: File) -> Result<bool, FaultCode> {
+        self.clear_status();
+        let slot = self.slot(file.destination)?;
+        let value = self.expression_value(file.expression)?;
+        self.conclude(slot, value, false, false);
+        let overflow = self.machine.status.overflow;
+        if overflow {
+            self.put_flag(file, ER, true);
+        }
+        Ok(overflow)
+    }
+
+    /// FSC: whether the element is a hit.
+    fn search_element(&mut self, file: File) -> Result<bool, FaultCode> {
+        let value = self.expression_value(file.expression)?;
+        let hit = is_true(value);
+        if hit {
+            self.put_flag(file, FD, true);
+            self.put_flag(file, IN, true);
+        }
+        Ok(hit)
+    }
+}
