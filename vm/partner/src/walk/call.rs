@@ -1,0 +1,185 @@
+//! Calls of Add-On Instructions and of safety application instructions. REQ-EXEC-030 to 034, 060 to 062.
+
+use twinrung_bytecode::observer::Observer;
+
+use super::fault::Fault;
+use super::frame::{Link, Mode};
+use super::math::element_of;
+use super::{Flow, Walker};
+use crate::ladder::{Argument, Call, Location, Step};
+use crate::state::{Bound, Flags};
+
+impl<O: Observer> Walker<'_, O> {
+    /// A call of an Add-On Instruction.
+    pub(super) fn add_on(&mut self, step: Step) -> Result<(), Fault> {
+        let ladder = self.ladder;
+        let Some(call) = ladder.calls.get(step.first as usize) else { return Ok(()) };
+        let prescan = self.frame.mode == Mode::Prescan;
+        let input = self.frame.rail && !prescan;
+        let body = if input || prescan { Some(call.logic) } else { call.enable_in_false };
+        let Some(body) = body else {
+            self.write_bit_cell(call.enable_in, false);
+            self.write_bit_cell(call.enable_out, false);
+            self.finish_call(false);
+            return Ok(());
+        };
+        let arguments = call.inputs.iter().chain(&call.outputs).map(|copy| copy.argument);
+        let first = self.bind_all(arguments)?;
+        self.write_bit_cell(call.enable_in, input);
+        if !input {
+            self.write_bit_cell(call.enable_out, false);
+        }
+        for (number, copy) in call.inputs.iter().enumerate() {
+            let from = self.bound(first.saturating_add(number));
+            self.pass(from, Bound { argument: Argument::Nothing, location: copy.parameter });
+        }
+        if input {
+            self.write_bit_cell(call.enable_out, true);
+        }
+        if prescan {
+            self.begin(body, Mode::Prescan, Link::AddOnPrescan(step.first), first)
+        } else {
+            self.begin(body, Mode::Normal, Link::AddOn(step.first), first)
+        }
+    }
+
+    fn copy_out(&mut self, call: &Call) {
+        let first = (self.frame.bound as usize).saturating_add(call.inputs.len());
+        for (number, copy) in call.outputs.iter().enumerate() {
+            let to = self.bound(first.saturating_add(number));
+            self.pass(Bound { argument: Argument::Nothing, location: copy.parameter }, to);
+        }
+    }
+
+    pub(super) fn leave_add_on(&mut self, number: u32) {
+        let ladder = self.ladder;
+        let Some(call) = ladder.calls.get(number as usize) else { return self.pop_frame() };
+        self.copy_out(call);
+        let output = self.state.memory.bit(call.enable_out);
+        self.pop_frame();
+        let prescan = self.frame.mode == Mode::Prescan;
+        self.finish_call(output && !prescan);
+    }
+
+    /// After the prescan of Logic the Prescan routine runs, with true rungs.
+    pub(super) fn leave_prescanned_logic(&mut self, number: u32) -> Flow {
+        let ladder = self.ladder;
+        let prescan = ladder.calls.get(number as usize).and_then(|call| call.prescan);
+        let Some(body) = prescan else {
+            self.leave_add_on(number);
+            return Flow::On;
+        };
+        let begin = self.begin_of(body);
+        self.frame = super::Frame::new(body, begin, Mode::Normal, Link::AddOn(number), self.frame.bound);
+        Flow::On
+    }
+
+    /// A safety application instruction: operands are mirrored, then the library's ladder runs.
+    pub(super) fn safety(&mut self, step: Step) -> Result<(), Fault> {
+        let ladder = self.ladder;
+        let Some(call) = ladder.calls.get(step.first as usize) else { return Ok(()) };
+        if self.frame.mode == Mode::Prescan {
+            return self.prescan_safety(step, call);
+        }
+        let input = self.frame.rail;
+        let first = self.bind_all(call.inputs.iter().map(|copy| copy.argument))?;
+        for (number, copy) in call.inputs.iter().enumerate() {
+            let from = self.bound(first.saturating_add(number));
+            self.mirror(from, copy.parameter);
+        }
+        self.write_bit_cell(call.enable_in, input);
+        let flags = self.state.status;
+        let body = if input { Some(call.logic) } else { call.enable_in_false };
+        let Some(body) = body else {
+            self.state.bound.truncate(first);
+            self.write_bit_cell(call.enable_out, input);
+            self.finish_call(input);
+            return Ok(());
+        };
+        self.begin(body, Mode::Normal, Link::Safety(step.first, flags), first)?;
+        self.state.in_library = true;
+        Ok(())
+    }
+
+    /// Mirrors an operand; the declared types fit, so that no flag is concerned.
+    fn mirror(&mut self, from: Bound, to: Location) {
+        match to {
+            Location::Bit(cell) => {
+                let value = self.bound_bit(from);
+                self.write_bit_cell(cell, value);
+            }
+            Location::Word(cell, _) => {
+                let (bits, _) = self.bound_value(from).converted(element_of(to));
+                self.write_word_cell(cell, bits);
+            }
+            Location::WordBit(..) | Location::Region { .. } => {}
+        }
+    }
+
+    pub(super) fn leave_safety(&mut self, number: u32, flags: Flags) {
+        self.pop_frame();
+        self.state.in_library = false;
+        self.state.status = flags;
+        let ladder = self.ladder;
+        let output = self.frame.rail;
+        if let Some(call) = ladder.calls.get(number as usize) {
+            self.write_bit_cell(call.enable_out, output);
+        }
+        self.finish_call(output);
+    }
+
+    fn prescan_safety(&mut self, step: Step, call: &Call) -> Result<(), Fault> {
+        let configuration =
+            || call.inputs.iter().zip(&call.configuration).filter(|(_, is_configuration)| **is_configuration);
+        let first = self.bind_all(configuration().map(|(copy, _)| copy.argument))?;
+        for (number, (copy, _)) in configuration().enumerate() {
+            let from = self.bound(first.saturating_add(number));
+            self.mirror(from, copy.parameter);
+        }
+        self.write_bit_cell(call.enable_in, false);
+        self.write_bit_cell(call.enable_out, false);
+        self.forget_private(call);
+        let flags = self.state.status;
+        self.begin(call.logic, Mode::Prescan, Link::SafetyPrescan(step.first, flags), first)?;
+        self.state.in_library = true;
+        Ok(())
+    }
+
+    /// Private state gets its initial values.
+    fn forget_private(&mut self, call: &Call) {
+        let ladder = self.ladder;
+        let private = call.private;
+        for cell in private.bit..private.bit.saturating_add(private.bits) {
+            let value = ladder.initial_bits.get(cell as usize).copied().unwrap_or(false);
+            self.state.memory.set_bit(cell, value);
+        }
+        for cell in private.word..private.word.saturating_add(private.words) {
+            let value = ladder.initial_words.get(cell as usize).copied().unwrap_or(0);
+            self.state.memory.set_word(cell, value);
+        }
+    }
+
+    pub(super) fn leave_safety_prescan(&mut self, number: u32, flags: Flags) {
+        let ladder = self.ladder;
+        match ladder.calls.get(number as usize).and_then(|call| call.prescan) {
+            Some(body) => {
+                let begin = self.begin_of(body);
+                let link = Link::SafetyPrescanned(number, flags);
+                self.frame = super::Frame::new(body, begin, Mode::Normal, link, self.frame.bound);
+            }
+            None => self.leave_safety_prescanned(number, flags),
+        }
+    }
+
+    pub(super) fn leave_safety_prescanned(&mut self, number: u32, flags: Flags) {
+        self.pop_frame();
+        self.state.in_library = false;
+        self.state.status = flags;
+        let ladder = self.ladder;
+        if let Some(call) = ladder.calls.get(number as usize) {
+            self.write_bit_cell(call.enable_in, false);
+            self.write_bit_cell(call.enable_out, false);
+        }
+        self.finish_call(false);
+    }
+}

@@ -1,0 +1,209 @@
+//! JMP, JSR, RET, TND, and the end of a body. general-instructions.md A.8; REQ-EXEC-014 to 016, 022, 023.
+
+use twinrung_bytecode::channel::ScanEnd;
+use twinrung_bytecode::limits;
+use twinrung_bytecode::observer::Observer;
+use twinrung_catalog::Opcode;
+
+use super::fault::{Fault, LABEL, NESTING, PARAMETERS, STACK};
+use super::frame::{Frame, Link, Mode};
+use super::value::Value;
+use super::{Flow, Walker};
+use crate::ladder::{Argument, BodyIndex, Location, NONE, Step};
+use crate::state::{Bound, FRAMES};
+
+/// User faults: JSR to the fault routine with one of these raises it (REQ-EXEC-053).
+const USER_FAULTS: core::ops::RangeInclusive<i32> = 990..=999;
+
+impl<O: Observer> Walker<'_, O> {
+    /// Begins a body; the one at work waits.
+    pub(super) fn begin(&mut self, body: BodyIndex, mode: Mode, link: Link, bound: usize) -> Result<(), Fault> {
+        if self.state.frames.len() >= FRAMES {
+            self.state.bound.truncate(bound);
+            return Err(STACK);
+        }
+        self.state.frames.push(self.frame);
+        self.frame = Frame::new(body, self.begin_of(body), mode, link, bound as u32);
+        Ok(())
+    }
+
+    /// Finds the places of arguments and keeps them for the call; on a fault none is kept.
+    pub(super) fn bind_all(&mut self, arguments: impl Iterator<Item = Argument>) -> Result<usize, Fault> {
+        let first = self.state.bound.len();
+        for argument in arguments {
+            let bound =
+                if self.state.bound.len() < self.state.bound.capacity() { self.bind(argument) } else { Err(STACK) };
+            match bound {
+                Ok(bound) => self.state.bound.push(bound),
+                Err(fault) => {
+                    self.state.bound.truncate(first);
+                    return Err(fault);
+                }
+            }
+        }
+        Ok(first)
+    }
+
+    /// A kept place.
+    pub(super) fn bound(&self, index: usize) -> Bound {
+        let nothing = Bound { argument: Argument::Nothing, location: Location::Bit(u32::MAX) };
+        self.state.bound.get(index).copied().unwrap_or(nothing)
+    }
+
+    /// The value of a kept number.
+    pub(super) fn bound_value(&self, bound: Bound) -> Value {
+        match bound.argument {
+            Argument::Integer(value) => Value::dint(value),
+            Argument::Real(bits) => Value { element: twinrung_catalog::Element::Real, bits: bits as i32 },
+            _ => self.value_at(bound.location),
+        }
+    }
+
+    /// The value of a kept bit.
+    pub(super) fn bound_bit(&self, bound: Bound) -> bool {
+        match bound.argument {
+            Argument::Integer(value) => value != 0,
+            Argument::Status(keyword) => self.status_bit(keyword),
+            _ => self.bit_at(bound.location),
+        }
+    }
+
+    /// Copies by value: a scalar converted as MOV does with S:V alone, a structure cell by cell.
+    pub(super) fn pass(&mut self, from: Bound, to: Bound) {
+        match (to.location, to.argument) {
+            (Location::Bit(_) | Location::WordBit(..), _) => {
+                let value = self.bound_bit(from);
+                self.write_bit(to.location, value);
+            }
+            (Location::Word(..), _) => {
+                let value = self.bound_value(from);
+                self.store_value(to.location, value);
+            }
+            (Location::Region { bit, word, .. }, Argument::Span(span)) => {
+                let Location::Region { bit: from_bit, word: from_word, .. } = from.location else { return };
+                let Some(span) = self.ladder.spans.get(span as usize).copied() else { return };
+                for number in 0..span.bits.saturating_mul(span.count) {
+                    let value = self.state.memory.bit(from_bit.wrapping_add(number));
+                    self.write_bit_cell(bit.wrapping_add(number), value);
+                }
+                for number in 0..span.words.saturating_mul(span.count) {
+                    let value = self.state.memory.word(from_word.wrapping_add(number));
+                    self.write_word_cell(word.wrapping_add(number), value);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// An instruction that may leave its rung or body.
+    pub(super) fn control(&mut self, step: Step, opcode: Opcode) -> Flow {
+        let input = self.frame.rail;
+        if !input {
+            self.report(step, input, input);
+            return Flow::On;
+        }
+        let result = match opcode {
+            Opcode::Jmp => return self.jump(step),
+            Opcode::Jsr => self.call_subroutine(step),
+            Opcode::Ret => match self.returns(step) {
+                Ok(()) => {
+                    self.report(step, input, input);
+                    return self.leave();
+                }
+                Err(fault) => Err(fault),
+            },
+            _ => {
+                self.report(step, input, input);
+                return self.leave();
+            }
+        };
+        self.after(result)
+    }
+
+    fn jump(&mut self, step: Step) -> Flow {
+        let jump = self.ladder.jumps.get(step.first as usize).copied();
+        let Some(jump) = jump.filter(|jump| jump.target != NONE) else { return self.after(Err(LABEL)) };
+        if let Some(taken) = self.state.jumps.get_mut(jump.counter as usize) {
+            if *taken >= limits::BACKWARD_JUMPS {
+                return self.after(Err(NESTING));
+            }
+            *taken = taken.wrapping_add(1);
+            if self.budget_is_exceeded() {
+                return Flow::Ends(ScanEnd::BudgetExceeded);
+            }
+        }
+        self.report(step, true, true);
+        self.frame.next = jump.target;
+        Flow::On
+    }
+
+    fn call_subroutine(&mut self, step: Step) -> Result<(), Fault> {
+        let Some(call) = self.ladder.subroutines.get(step.first as usize) else { return Ok(()) };
+        if call.receivers.len() > call.inputs.len() {
+            return Err(PARAMETERS);
+        }
+        let arguments = call.inputs.iter().chain(&call.returns).chain(&call.receivers).copied();
+        let first = self.bind_all(arguments)?;
+        if call.fault_routine && call.inputs.len() == 1 {
+            let number = self.bound_value(self.bound(first)).to_dint().0;
+            if USER_FAULTS.contains(&number) {
+                self.state.bound.truncate(first);
+                return Err(Fault(number as u16));
+            }
+        }
+        let receivers = first.saturating_add(call.inputs.len()).saturating_add(call.returns.len());
+        for number in 0..call.receivers.len() {
+            let from = self.bound(first.saturating_add(number));
+            let to = self.bound(receivers.saturating_add(number));
+            self.pass(from, to);
+        }
+        self.begin(call.body, Mode::Normal, Link::Subroutine(step.first), first)
+    }
+
+    /// Hands the operands of a RET to the JSR that runs this body.
+    fn returns(&mut self, step: Step) -> Result<(), Fault> {
+        let Link::Subroutine(call) = self.frame.link else { return Ok(()) };
+        let Some(call) = self.ladder.subroutines.get(call as usize) else { return Ok(()) };
+        let arguments = self.ladder.arguments(step);
+        if call.returns.len() > arguments.len() {
+            return Err(PARAMETERS);
+        }
+        let first = self.bind_all(arguments.iter().copied())?;
+        let destinations = (self.frame.bound as usize).saturating_add(call.inputs.len());
+        for number in 0..call.returns.len() {
+            let from = self.bound(first.saturating_add(number));
+            let to = self.bound(destinations.saturating_add(number));
+            self.pass(from, to);
+        }
+        Ok(())
+    }
+
+    /// Ends the body at work; what called it goes on.
+    pub(super) fn leave(&mut self) -> Flow {
+        match self.frame.link {
+            Link::Program => return Flow::Over,
+            Link::Subroutine(_) => {
+                self.pop_frame();
+                let rail = self.frame.rail;
+                self.finish_call(rail);
+            }
+            Link::AddOn(call) => self.leave_add_on(call),
+            Link::AddOnPrescan(call) => return self.leave_prescanned_logic(call),
+            Link::Safety(call, flags) => self.leave_safety(call, flags),
+            Link::SafetyPrescan(call, flags) => self.leave_safety_prescan(call, flags),
+            Link::SafetyPrescanned(call, flags) => self.leave_safety_prescanned(call, flags),
+            Link::Fault(override_was_on) => {
+                return self.leave_fault_routine(override_was_on).map_or(Flow::On, Flow::Ends);
+            }
+        }
+        Flow::On
+    }
+
+    /// The element that called goes on with a condition.
+    pub(super) fn finish_call(&mut self, output: bool) {
+        let step = self.ladder.step(self.frame.next.wrapping_sub(1));
+        let input = self.frame.rail;
+        self.report(step, input, output);
+        self.frame.rail = output;
+    }
+}

@@ -1,0 +1,217 @@
+//! FAL and FSC. general-instructions.md A.6.
+
+use twinrung_bytecode::observer::Observer;
+
+use super::Walker;
+use super::arithmetic::Outcome;
+use super::bit::at;
+use super::fault::{CONTROL, Fault};
+use crate::ladder::Argument;
+use crate::memory::FINISHED_FALSE;
+use crate::state::OVERFLOW;
+
+// Members of CONTROL, counted from the first cells.
+const LEN: u32 = 0;
+const POS: u32 = 1;
+const EN: u32 = 0;
+const DN: u32 = 2;
+const ER: u32 = 4;
+const IN: u32 = 6;
+const FD: u32 = 7;
+
+/// First cells of the CONTROL.
+type Cells = (u32, u32);
+
+/// What is done for each element.
+#[derive(Debug, Clone, Copy)]
+enum Work {
+    /// FAL: destination and expression.
+    Store(Argument, Argument),
+    /// FSC: the condition.
+    Search(Argument),
+}
+
+impl Work {
+    const fn searches(self) -> bool {
+        matches!(self, Work::Search(_))
+    }
+}
+
+/// How many elements an execution processes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FileMode {
+    All,
+    Incremental,
+    Numeric(u32),
+}
+
+fn file_mode(argument: Argument) -> FileMode {
+    match argument {
+        Argument::Integer(number) if number > 0 => FileMode::Numeric(number.unsigned_abs()),
+        Argument::Integer(number) if number < 0 => FileMode::Incremental,
+        _ => FileMode::All,
+    }
+}
+
+impl<O: Observer> Walker<'_, O> {
+    pub(super) fn file_arithmetic(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
+        let work = Work::Store(at(arguments, 2), at(arguments, 3));
+        self.file(at(arguments, 0), file_mode(at(arguments, 1)), work, input)
+    }
+
+    pub(super) fn file_search(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
+        let work = Work::Search(at(arguments, 2));
+        self.file(at(arguments, 0), file_mode(at(arguments, 1)), work, input)
+    }
+
+    fn file(&mut self, control: Argument, mode: FileMode, work: Work, input: bool) -> Result<bool, Fault> {
+        let cells = self.structure(control)?;
+        let blocked = self.member_bit(cells, if work.searches() { IN } else { ER });
+        match mode {
+            FileMode::Numeric(count) => {
+                if !blocked {
+                    self.numeric(cells, work, count, input)?;
+                }
+            }
+            FileMode::All | FileMode::Incremental => {
+                if !input {
+                    self.ends(cells);
+                } else if !blocked {
+                    self.edge(cells, work, mode)?;
+                }
+            }
+        }
+        Ok(input)
+    }
+
+    /// A false rung in ALL and INC mode.
+    fn ends(&mut self, cells: Cells) {
+        self.set_member_bit(cells, EN, false);
+        if self.member_bit(cells, DN) {
+            self.set_member_bit(cells, DN, false);
+            self.set_member_word(cells, POS, 0);
+        }
+    }
+
+    /// A true rung in ALL and INC mode.
+    fn edge(&mut self, cells: Cells, work: Work, mode: FileMode) -> Result<(), Fault> {
+        let all = mode == FileMode::All;
+        let count = if all { u32::MAX } else { 1 };
+        if self.member_bit(cells, EN) {
+            let goes_on = all && self.stands_on_a_hit(cells, work);
+            if goes_on {
+                self.check_control(cells)?;
+                self.leave_hit(cells);
+                self.run(cells, work, count)?;
+            }
+            return Ok(());
+        }
+        self.check_control(cells)?;
+        if all || self.member_bit(cells, DN) {
+            self.set_member_word(cells, POS, 0);
+        } else if self.stands_on_a_hit(cells, work) {
+            self.leave_hit(cells);
+        }
+        self.starts(cells, work);
+        self.run(cells, work, count)
+    }
+
+    fn starts(&mut self, cells: Cells, work: Work) {
+        self.set_member_bit(cells, EN, true);
+        self.set_member_bit(cells, DN, false);
+        if work.searches() {
+            self.set_member_bit(cells, FD, false);
+        }
+    }
+
+    /// Numeric mode: at every execution until done, whatever the rung is.
+    fn numeric(&mut self, cells: Cells, work: Work, count: u32, input: bool) -> Result<(), Fault> {
+        let finished_false = self.state.memory.stamp(cells.1) == FINISHED_FALSE;
+        if !self.member_bit(cells, EN) {
+            if !input {
+                return Ok(());
+            }
+            self.check_control(cells)?;
+            self.set_member_word(cells, POS, 0);
+            self.starts(cells, work);
+        } else if self.member_bit(cells, DN) {
+            if !input || finished_false {
+                self.state.memory.set_stamp(cells.1, 0);
+                self.set_member_bit(cells, EN, false);
+                self.set_member_bit(cells, DN, false);
+                self.set_member_word(cells, POS, 0);
+            }
+            return Ok(());
+        } else {
+            self.check_control(cells)?;
+            if self.stands_on_a_hit(cells, work) {
+                self.leave_hit(cells);
+            }
+        }
+        self.state.memory.set_stamp(cells.1, 0);
+        self.run(cells, work, count)?;
+        if self.member_bit(cells, DN) && !input {
+            self.state.memory.set_stamp(cells.1, FINISHED_FALSE);
+        }
+        Ok(())
+    }
+
+    fn check_control(&self, cells: Cells) -> Result<(), Fault> {
+        if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 { Err(CONTROL) } else { Ok(()) }
+    }
+
+    /// Whether a search stopped here, was released by clearing IN, and is not done.
+    fn stands_on_a_hit(&self, cells: Cells, work: Work) -> bool {
+        work.searches() && self.member_bit(cells, FD) && !self.member_bit(cells, DN)
+    }
+
+    fn leave_hit(&mut self, cells: Cells) {
+        let position = self.member_word(cells, POS);
+        self.set_member_word(cells, POS, position.saturating_add(1));
+        self.set_member_bit(cells, FD, false);
+    }
+
+    /// Processes up to `count` elements.
+    fn run(&mut self, cells: Cells, work: Work, count: u32) -> Result<(), Fault> {
+        let mut processed = 0u32;
+        while processed < count && self.member_word(cells, POS) < self.member_word(cells, LEN) {
+            let stops = match work {
+                Work::Store(destination, expression) => self.store_element(destination, expression)?,
+                Work::Search(condition) => self.truth(condition)?,
+            };
+            self.count(1);
+            processed = processed.saturating_add(1);
+            if stops {
+                let mark = if work.searches() { [FD, IN].as_slice() } else { [ER].as_slice() };
+                for member in mark {
+                    self.set_member_bit(cells, *member, true);
+                }
+                return Ok(());
+            }
+            let position = self.member_word(cells, POS);
+            self.set_member_word(cells, POS, position.saturating_add(1));
+        }
+        if self.member_word(cells, POS) >= self.member_word(cells, LEN) {
+            self.set_member_bit(cells, DN, true);
+        }
+        Ok(())
+    }
+
+    /// One element of FAL; whether it overflowed.
+    fn store_element(&mut self, destination: Argument, expression: Argument) -> Result<bool, Fault> {
+        self.clear_flags();
+        let destination = self.locate(destination)?;
+        let value = self.evaluate(expression)?;
+        self.store_result(destination, Outcome { value, overflow: false });
+        Ok(self.state.status.key & OVERFLOW != 0)
+    }
+
+    /// The prescan action.
+    pub(super) fn prescan_file(&mut self, control: Argument) -> Result<(), Fault> {
+        let cells = self.structure(control)?;
+        for member in [EN, DN, ER] {
+            self.set_member_bit(cells, member, false);
+        }
+        Ok(())
+    }
+}
