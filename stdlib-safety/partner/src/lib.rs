@@ -33,6 +33,7 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("Analog_Core", "analog_core"),
     source!("Redundant_Input_Core", "redundant_input_core"),
     source!("Valve_Feedback", "valve_feedback"),
+    source!("Stroke_Permissives", "stroke_permissives"),
     source!("DCS", "dcs"),
     source!("DCST", "dcst"),
     source!("DCSTL", "dcstl"),
@@ -61,6 +62,9 @@ pub static SOURCES: &[(&str, &str)] = &[
     source!("AVC", "avc"),
     source!("MVC", "mvc"),
     source!("MMVC", "mmvc"),
+    source!("CBIM", "cbim"),
+    source!("CBSSM", "cbssm"),
+    source!("CBCM", "cbcm"),
 ];
 
 /// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
