@@ -31,6 +31,8 @@ mod machine;
 mod number;
 mod program;
 mod run;
+#[cfg(test)]
+mod tests;
 
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};

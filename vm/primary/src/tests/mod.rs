@@ -1,0 +1,4 @@
+//! Tests that put images together by hand.
+
+mod assembler;
+mod bench;
