@@ -1,10 +1,8 @@
 //! Real exports parse. They lie beside the project; where they are not, this says so and passes.
 
-mod support;
-
 use std::path::{Path, PathBuf};
 
-use twinrung_grammar::tree::{ErrorKind, File, RoutineBody, Sources};
+use twinrung_grammar::tree::{Element, ErrorKind, File, Instruction, RoutineBody, Sources};
 use twinrung_grammar::{Reading, print_file, read, read_expression, read_path, read_tag};
 
 fn corpus() -> Vec<PathBuf> {
@@ -131,11 +129,13 @@ fn all_rungs(file: &File) -> Vec<&twinrung_grammar::tree::Rung> {
     ladders.flatten().collect()
 }
 
-fn instructions(elements: &[twinrung_grammar::tree::Element]) -> Vec<&twinrung_grammar::tree::Instruction> {
-    use twinrung_grammar::tree::Element;
-    let own = |element| match element {
-        &Element::Instruction(ref instruction) => vec![instruction],
+fn instructions(elements: &[Element]) -> Vec<&Instruction> {
+    elements.iter().flat_map(instructions_of).collect()
+}
+
+fn instructions_of(element: &Element) -> Vec<&Instruction> {
+    match element {
+        Element::Instruction(instruction) => vec![instruction],
         Element::Branch(branch) => branch.legs.iter().flat_map(|leg| instructions(&leg.elements)).collect(),
-    };
-    elements.iter().flat_map(own).collect()
+    }
 }

@@ -19,7 +19,7 @@ impl Reader<'_> {
                 }
                 "ENCODED_DATA" => match self.encoded_routine() {
                     Ok(routine) => add_on.routines.push(routine),
-                    Err(encoded) => self.file.encoded.push(encoded),
+                    Err(encoded) => self.file.encoded.push(*encoded),
                 },
                 _ => {
                     if let Some(token) = self.cursor.peek() {

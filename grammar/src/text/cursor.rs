@@ -139,7 +139,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Where the last token ended.
-    pub(crate) fn last_end(&self) -> usize {
+    pub(crate) fn token_end(&self) -> usize {
         self.token_end
     }
 
@@ -216,7 +216,7 @@ impl<'a> Cursor<'a> {
         self.run.clear();
         while let Some(token @ (_, Token::Word | Token::Colon | Token::Of, _)) = self.peek() {
             // `ROUTINE Main N: ...`: the name is one word, or two with a colon between.
-            let wants_word = self.run.len() % 2 == 0;
+            let wants_word = self.run.len().is_multiple_of(2);
             if wants_word != (token.1 != Token::Colon) || self.run.len() >= 3 || self.ends_run(token) {
                 break;
             }

@@ -36,8 +36,8 @@ impl Reader<'_> {
             self.unclosed(kind.span, &format!("END_{word}"));
             self.cursor.next();
         }
-        let span = self.cursor.file.locate(start, self.cursor.last_end());
-        let text = Text::new(self.cursor.file.slice(start, self.cursor.last_end()), span);
+        let span = self.cursor.file.locate(start, self.cursor.token_end());
+        let text = Text::new(self.cursor.file.slice(start, self.cursor.token_end()), span);
         Some(Island { kind, name, text, trivia, span })
     }
 
@@ -54,7 +54,7 @@ impl Reader<'_> {
 
     /// Takes the rest of an island whose head was taken: the text up to the word that ends it.
     pub(super) fn island_body(&mut self, word: &str, head: Span) -> Text {
-        let from = self.cursor.last_end();
+        let from = self.cursor.token_end();
         // Comments after the head are part of the body.
         self.cursor.forget_comments();
         match self.skip_island_from(word, from) {

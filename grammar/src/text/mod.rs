@@ -102,10 +102,10 @@ impl<'a> Reader<'a> {
     fn version(&mut self) {
         let mut trivia = self.cursor.leading();
         self.cursor.next();
-        let offset = self.cursor.last_end();
+        let offset = self.cursor.token_end();
         self.cursor.take_statement();
         let span = self.cursor.run_span();
-        let text = self.cursor.file.slice(offset, self.cursor.last_end());
+        let text = self.cursor.file.slice(offset, self.cursor.token_end());
         let text = text.trim().trim_start_matches(":=").trim_end_matches(';').trim();
         self.file.ie_version = Some(crate::tree::Text::new(text, span));
         self.cursor.trailing(&mut trivia);
@@ -164,7 +164,7 @@ impl<'a> Reader<'a> {
         let begin = keyword.map_or(0, |(start, ..)| start);
         let what = keyword.map_or("", |token| self.cursor.slice(token));
         let (_, ended) = self.cursor.take_head();
-        let span = self.cursor.file.locate(begin, self.cursor.last_end());
+        let span = self.cursor.file.locate(begin, self.cursor.token_end());
         if ended == Ended::Early {
             self.cursor.errors.add(ErrorKind::MalformedDeclaration, span, "the attribute list is not closed by `)`");
         }
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
         if self.cursor.peek_word() == Some(end) {
             self.cursor.next();
         }
-        self.cursor.file.locate(self.cursor.last_end(), self.cursor.last_end())
+        self.cursor.file.locate(self.cursor.token_end(), self.cursor.token_end())
     }
 
     fn unclosed(&mut self, head: Span, end: &str) {

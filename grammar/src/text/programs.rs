@@ -19,7 +19,7 @@ impl Reader<'_> {
                 }
                 "ENCODED_DATA" => match self.encoded_routine() {
                     Ok(routine) => program.routines.push(routine),
-                    Err(encoded) => program.encoded.push(encoded),
+                    Err(encoded) => program.encoded.push(*encoded),
                 },
                 _ => {
                     if let Some(token) = self.cursor.peek() {
@@ -83,10 +83,10 @@ impl Reader<'_> {
     }
 
     /// An encoded routine among the routines of a program or an Add-On Instruction.
-    pub(super) fn encoded_routine(&mut self) -> Result<Routine, Encoded> {
+    pub(super) fn encoded_routine(&mut self) -> Result<Routine, Box<Encoded>> {
         let encoded = self.encoded();
         if !encoded.kind.text.to_ascii_uppercase().ends_with("ROUTINE") {
-            return Err(encoded);
+            return Err(Box::new(encoded));
         }
         let name = encoded.name.unwrap_or_default();
         let mut routine =

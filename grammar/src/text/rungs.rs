@@ -144,7 +144,7 @@ impl Reader<'_> {
 
     fn rung(&mut self, kind: Spanned<RungKind>, comment: Option<Box<Text>>, trivia: Trivia) -> Rung {
         let file = self.cursor.file;
-        let start = self.cursor.last_end();
+        let start = self.cursor.token_end();
         let mut extent = self.extent(start);
         let mut comments = Vec::new();
         let mut parsed = parse_rung(piece(file, start, extent.end), &mut comments);
