@@ -95,14 +95,12 @@ impl<'a> Element<'a> {
 
     /// All attributes but some.
     pub(crate) fn attributes_without(&self, without: &[&str]) -> Vec<Attribute> {
-        self.attributes
-            .iter()
-            .filter(|raw| !without.contains(&raw.key))
-            .map(|raw| Attribute {
-                key: raw.key(self.span.source),
-                value: AttributeValue::Quoted(raw.value(self.span.source)),
-            })
-            .collect()
+        let mut list = Vec::with_capacity(self.attributes.len());
+        list.extend(self.attributes.iter().filter(|raw| !without.contains(&raw.key)).map(|raw| Attribute {
+            key: raw.key(self.span.source),
+            value: AttributeValue::Quoted(raw.value(self.span.source)),
+        }));
+        list
     }
 
     /// All attributes but some, to be taken by name.
@@ -222,7 +220,8 @@ impl<'a> Xml<'a> {
         let (tag, at) = self.piece(start);
         let span = self.span(at.saturating_sub(1), at + tag.len());
         let (name, _) = self.piece(start.name().into_inner());
-        let mut attributes: Vec<RawAttribute<'a>> = Vec::new();
+        // Most elements have fewer.
+        let mut attributes: Vec<RawAttribute<'a>> = Vec::with_capacity(8);
         for attribute in start.attributes().with_checks(false) {
             let attribute = match attribute {
                 Ok(attribute) => attribute,
