@@ -59,6 +59,7 @@ fn corpus_when_read_then_only_broken_rungs_are_errors() {
     }
 }
 
+/// REQ-LANG-006, REQ-LANG-031
 #[test]
 fn corpus_when_read_then_every_instruction_is_where_its_span_says() {
     for (path, sources, reading) in read_all() {

@@ -26,6 +26,7 @@ fn given(path: &Path) -> String {
     out + &rungs.iter().map(|rung| format!("rung: {rung}\n")).collect::<String>()
 }
 
+/// REQ-LANG-002
 #[test]
 fn text_when_wrong_then_errors_are_those_written_down() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/errors");

@@ -9,6 +9,7 @@ fn samples() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/samples")
 }
 
+/// REQ-LANG-004
 #[test]
 fn folder_when_read_then_is_one_project() {
     let mut sources = Sources::new();

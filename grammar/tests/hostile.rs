@@ -22,6 +22,7 @@ fn in_routine(rung: &str) -> String {
     format!("ROUTINE Main\nN: {rung}\nEND_ROUTINE\n")
 }
 
+/// REQ-LANG-005
 #[test]
 fn branches_when_at_the_limit_then_are_read() {
     let depth = limits::BRANCH_DEPTH_MAX;
@@ -29,6 +30,7 @@ fn branches_when_at_the_limit_then_are_read() {
     assert_eq!(kinds(&reading), []);
 }
 
+/// REQ-LANG-005
 #[test]
 fn branches_when_one_past_the_limit_then_are_an_error() {
     let depth = limits::BRANCH_DEPTH_MAX + 1;
@@ -132,6 +134,7 @@ fn document_type_when_in_a_file_then_nothing_after_it_is_read() {
     assert!(kinds(&reading).contains(&ErrorKind::MalformedXml));
 }
 
+/// REQ-LANG-003
 #[test]
 fn file_when_not_utf8_then_the_rest_is_read() {
     let reading = read_text(b"TAG a : DINT (Description := \"Gr\xFC\xDFe\"); END_TAG".to_vec());
@@ -139,6 +142,7 @@ fn file_when_not_utf8_then_the_rest_is_read() {
     assert_eq!(reading.file.tags.len(), 1);
 }
 
+/// REQ-LANG-003
 #[test]
 fn file_when_utf16_then_is_refused() {
     assert_eq!(kinds(&read_text(vec![0xFF, 0xFE, b'T', 0])), [ErrorKind::NotUtf8]);
@@ -151,6 +155,7 @@ fn file_when_empty_then_is_an_error() {
 }
 
 proptest! {
+    /// REQ-LANG-001
     #[test]
     fn bytes_when_read_then_nothing_panics(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
         print_file(&read_text(bytes).file);

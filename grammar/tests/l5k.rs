@@ -24,6 +24,7 @@ fn export_when_printed_then_reads_as_the_same_text() {
     assert_eq!(print_file(&again.file), text);
 }
 
+/// REQ-LANG-010
 #[test]
 fn controller_when_read_then_has_its_settings() {
     let file = sample().file;
@@ -51,6 +52,7 @@ fn data_types_when_read_then_bits_have_their_hosts() {
     assert_eq!(link.members[3].data_type.as_str(), "AB:1734_IB8S_Safety2:I:0");
 }
 
+/// REQ-LANG-010, REQ-LANG-014
 #[test]
 fn modules_when_read_then_have_connections_and_what_is_not_visible() {
     let file = sample().file;
@@ -117,6 +119,7 @@ fn tasks_when_read_then_have_times_and_programs() {
     assert_eq!(file.tasks[1].programs[0].as_str(), "SafetyProgram");
 }
 
+/// REQ-LANG-013
 #[test]
 fn islands_when_skipped_then_are_named() {
     let file = sample().file;

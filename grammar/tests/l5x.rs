@@ -24,6 +24,7 @@ fn export_when_read_then_has_no_error() {
     assert_eq!(sample().1.errors, []);
 }
 
+/// REQ-LANG-012
 #[test]
 fn export_when_partial_then_says_what_was_exported() {
     let (_, reading) = sample();
@@ -58,6 +59,7 @@ fn member_when_a_bit_then_has_its_host() {
     assert_eq!(members[1].external_access.unwrap().value, ExternalAccess::ReadOnly);
 }
 
+/// REQ-LANG-010, REQ-LANG-014
 #[test]
 fn module_when_read_then_has_its_place_and_connections() {
     let (_, reading) = sample();
@@ -73,6 +75,7 @@ fn module_when_read_then_has_its_place_and_connections() {
     assert_eq!(connection.input.as_ref().unwrap().suffix, "SI");
 }
 
+/// REQ-LANG-011
 #[test]
 fn tag_when_its_data_have_several_forms_then_all_are_kept() {
     let (_, reading) = sample();
@@ -103,6 +106,7 @@ fn tag_when_not_base_then_is_of_its_kind() {
     assert!(matches!(tag(&reading, "Short").kind, TagKind::Alias(target) if target.text == "Doors:SI.Pt00Data"));
 }
 
+/// REQ-LANG-013
 #[test]
 fn routine_when_of_any_language_then_is_named() {
     let (_, reading) = sample();

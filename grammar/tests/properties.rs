@@ -9,6 +9,7 @@ use twinrung_grammar::tree::{Operand, Sources, Span};
 use twinrung_grammar::{print_expression, print_file, read, read_expression};
 
 proptest! {
+    /// REQ-LANG-030
     #[test]
     fn file_when_printed_and_read_then_is_the_same(file in file()) {
         let text = print_file(&file);
@@ -17,6 +18,7 @@ proptest! {
         prop_assert_eq!(without_spans(&reading.file), without_spans(&file), "{}", text);
     }
 
+    /// REQ-LANG-030
     #[test]
     fn file_when_printed_twice_then_text_is_the_same(file in file()) {
         let once = print_file(&file);
@@ -24,6 +26,7 @@ proptest! {
         prop_assert_eq!(print_file(&reading.file), once);
     }
 
+    /// REQ-LANG-032
     #[test]
     fn expression_when_printed_and_read_then_is_the_same(expression in expression()) {
         let text = print_expression(&expression);

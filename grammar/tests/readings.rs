@@ -28,6 +28,7 @@ fn integer(magnitude: u64, radix: Radix) -> Number {
     Number::Integer { negative: false, magnitude, radix }
 }
 
+/// REQ-LANG-021
 #[test]
 fn tag_when_of_any_form_then_is_read() {
     for text in [
@@ -87,6 +88,7 @@ fn tag_when_read_then_parts_have_their_places() {
     assert_eq!(((tag.base.span.start, tag.base.span.end), places), ((0, 7), vec![(8, 10), (10, 13), (14, 15)]));
 }
 
+/// REQ-LANG-023, REQ-LANG-032
 #[test]
 fn expression_when_precedence_decides_then_needs_no_parentheses() {
     for (text, canonical) in [
@@ -112,6 +114,7 @@ fn expression_when_precedence_decides_then_needs_no_parentheses() {
     }
 }
 
+/// REQ-LANG-023
 #[test]
 fn expression_when_a_relation_is_mixed_then_is_ambiguous() {
     assert_eq!(refusal("a + b = c"), (ErrorKind::AmbiguousRelation, 6, 7));
@@ -141,6 +144,7 @@ fn expression_when_function_is_unknown_then_is_kept() {
     assert!(matches!(read_expression(&operand("SIN(a)")).unwrap(), Expression::Call { .. }));
 }
 
+/// REQ-LANG-022
 #[test]
 fn number_when_of_any_form_then_is_read() {
     assert_eq!(number("100"), integer(100, Radix::Decimal));
@@ -159,6 +163,7 @@ fn number_when_of_any_form_then_is_read() {
     assert_eq!(number("'A$00$'b'"), Number::Ascii(vec![b'A', 0, b'\'', b'b']));
 }
 
+/// REQ-LANG-022
 #[test]
 fn number_when_between_two_reals_then_is_rounded_once() {
     // Halfway between two binary32 values as binary64 sees it; the decimal text is above.
@@ -184,6 +189,7 @@ fn number_when_no_number_then_is_an_error() {
     }
 }
 
+/// REQ-LANG-020, REQ-LANG-024
 #[test]
 fn words_when_written_in_any_way_then_are_the_same() {
     for text in [
@@ -204,6 +210,7 @@ fn words_when_something_else_then_are_an_error() {
     }
 }
 
+/// REQ-LANG-006
 #[test]
 fn operand_when_over_several_lines_then_places_are_exact() {
     let mut sources = Sources::new();
@@ -218,6 +225,7 @@ fn operand_when_over_several_lines_then_places_are_exact() {
     assert_eq!(rung.trivia.leading(), ["(* c *)", "// here"]);
 }
 
+/// REQ-LANG-006
 #[test]
 fn operand_when_entities_stand_in_it_then_places_are_exact() {
     let mut sources = Sources::new();
