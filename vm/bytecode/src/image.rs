@@ -40,7 +40,8 @@ pub struct Image {
     pub initial_words: Vec<i32>,
 }
 
-/// Settings that belong to the signed declaration but not to execution: key and canonical text, sorted by key.
+/// Settings that belong to the signed declaration but not to execution: key and canonical text, sorted by key byte by
+/// byte. A text is quoted, without quotes or control characters inside, or plain ([`crate::names::is_setting`]).
 pub type Attributes = Vec<(String, String)>;
 
 /// The controller.

@@ -25,6 +25,16 @@ pub fn is_module_name(name: &str) -> bool {
         && parts.all(|part| !part.is_empty() && part.bytes().all(is_word))
 }
 
+/// Whether a structure type can have this name: as a module's tag, and with the words by which a module's catalogue
+/// tells its data formats apart (`AB:1734_IB8S:I:Safety - Combined Status`).
+pub fn is_type_name(name: &str) -> bool {
+    let begins = name.bytes().next().is_some_and(|first| first.is_ascii_alphabetic() || first == b'_');
+    begins
+        && name.len() <= limits::NAME_BYTES
+        && !name.ends_with(' ')
+        && name.bytes().all(|byte| is_word(byte) || b" -./:".contains(&byte))
+}
+
 /// Whether this can be a standard tag in the tag map: a module name, with members and elements.
 pub fn is_tag_path(name: &str) -> bool {
     let begins = name.bytes().next().is_some_and(|first| first.is_ascii_alphabetic() || first == b'_');

@@ -55,8 +55,9 @@ pub(super) fn check_unordered_names<'a>(
 
 fn check_attributes(what: &'static str, index: usize, attributes: &Attributes) -> Result<(), ImageError> {
     let wrong = ImageError::AttributeKeys { what, index };
-    let keys = attributes.iter().map(|(key, _)| key.as_str());
-    if check_names(what, names::is_component, keys).is_err() {
+    let named = attributes.iter().all(|(key, _)| names::is_component(key));
+    let sorted = attributes.windows(2).all(|pair| matches!(pair, [(before, _), (key, _)] if before < key));
+    if !named || !sorted {
         return Err(wrong);
     }
     if attributes.iter().all(|(_, value)| names::is_setting(value)) { Ok(()) } else { Err(wrong) }
@@ -64,7 +65,7 @@ fn check_attributes(what: &'static str, index: usize, attributes: &Attributes) -
 
 /// The names of all tables.
 pub(super) fn check_all_names(image: &Image) -> Result<(), ImageError> {
-    check_unordered_names("type", names::is_module_name, image.types.iter().map(|record| record.name.as_str()))?;
+    check_unordered_names("type", names::is_type_name, image.types.iter().map(|record| record.name.as_str()))?;
     check_unordered_names("Add-On Instruction", names::is_component, image.add_ons.iter().map(|r| r.name.as_str()))?;
     check_names("program", names::is_component, image.programs.iter().map(|record| record.name.as_str()))?;
     check_names("module", names::is_module_name, image.modules.iter().map(|record| record.name.as_str()))?;
