@@ -146,7 +146,11 @@ impl Findings {
     /// Says of the findings from `begin` on which rung they are about.
     pub fn place(&mut self, begin: usize, routine: &str, rung: u32, span: Span) {
         for finding in self.list.iter_mut().skip(begin) {
-            finding.rung = Some(RungPlace { routine: routine.to_owned(), rung, span });
+            // The fault of a declaration that a rung uses stands where it was declared.
+            let here = finding.span.source == span.source && (span.start..=span.end).contains(&finding.span.start);
+            if here {
+                finding.rung = Some(RungPlace { routine: routine.to_owned(), rung, span });
+            }
         }
     }
 

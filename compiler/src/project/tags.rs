@@ -253,7 +253,7 @@ impl<'a> TagTable<'_, 'a> {
             return;
         }
         let suffix = if is_input { "I" } else { "O" };
-        let type_name = CompactString::from(format!("{}:{suffix}:{}", known.catalog_number, choice.word));
+        let type_name = CompactString::from(format!("AB:{}:{suffix}:{}", known.catalog_number.replace('-', "_"), choice.word));
         let drafts = members()
             .map(|member| (member.name.into(), member.element.name().into(), [0; 3], module.span))
             .collect();

@@ -208,9 +208,7 @@ fn build_one(
             usage,
             type_reference,
             dimensions: if usage == Usage::InOut { shape } else { [0; 3] },
-            // A call writes the required parameters (neutral-text-and-l5x.md C.3); where a declaration is silent it is
-            // required (decided).
-            argument: usage == Usage::InOut || one.required.is_none_or(|required| required.value),
+            argument: is_argument(one),
             member: own_member,
             constant: one.constant.is_some_and(|constant| constant.value),
         });
@@ -299,13 +297,20 @@ pub(super) fn judge_routines(shown: &tree::AddOnInstruction, findings: &mut Find
     }
 }
 
+/// Whether a call writes an argument for a parameter: the required ones (neutral-text-and-l5x.md C.3). Where a declaration is
+/// silent, an Input is required and an Output is not (decided).
+fn is_argument(parameter: &tree::Parameter) -> bool {
+    let silent = direction(parameter) == Usage::Input;
+    direction(parameter) == Usage::InOut || parameter.required.map_or(silent, |required| required.value)
+}
+
 /// For each Add-On Instruction of any class, which of its arguments it may write.
 pub(super) fn standard_arguments(inputs: &Inputs<'_>) -> Map<CompactString, Vec<bool>> {
     let mut table = Map::default();
     for (file, _) in inputs.files() {
         for shown in &file.add_on_instructions {
             let writes = declared(shown)
-                .filter(|one| direction(one) == Usage::InOut || one.required.is_none_or(|required| required.value))
+                .filter(|one| is_argument(one))
                 .map(|one| match direction(one) {
                     Usage::Input => false,
                     Usage::Output => true,
