@@ -253,7 +253,14 @@ impl<'a> Loader<'a> {
                 arguments.push(self.argument(context, at(3)?)?);
                 arguments.push(self.expression(context, at(4)?, false)?);
             }
-            _ if opcode.instruction().group == Group::TimerCounter => arguments.push(self.argument(context, at(0)?)?),
+            _ if opcode.instruction().group == Group::TimerCounter => {
+                let structure = self.argument(context, at(0)?)?;
+                arguments.push(structure);
+                if context.library && opcode != Opcode::Res {
+                    self.preset(context, structure, at(1)?, 0)?;
+                    self.preset(context, structure, at(2)?, 1)?;
+                }
+            }
             _ => {
                 for operand in operands.iter() {
                     arguments.push(self.argument(context, operand)?);
@@ -264,6 +271,24 @@ impl<'a> Loader<'a> {
         let count = arguments.len() as u8;
         self.arguments.append(&mut arguments);
         Ok(Step { code, count, element, first })
+    }
+
+    /// In the library, whose instances have no tags, a literal Preset or Accum is the member's initial value.
+    fn preset(
+        &mut self,
+        context: &Context,
+        structure: Argument,
+        operand: OperandIndex,
+        member: u32,
+    ) -> Result<(), LoadError> {
+        let value = self.argument(context, operand)?;
+        if let (Argument::At(Location::Region { word, .. }), Argument::Integer(value)) = (structure, value) {
+            let cell = word.wrapping_add(member) as usize;
+            if let Some(initial) = self.initial_words.get_mut(cell) {
+                *initial = value;
+            }
+        }
+        Ok(())
     }
 
     fn is_real_destination(&self, destination: Argument) -> bool {
