@@ -47,7 +47,7 @@ use program::Program;
 use run::Run;
 
 /// The primary: holds cells as they are.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Primary {
     program: Program,
     machine: Machine,

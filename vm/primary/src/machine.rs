@@ -17,7 +17,9 @@ use crate::program::{Operand, Program};
 
 /// Routines within routines: a main routine, [`limits::CALL_DEPTH`] subroutines, [`limits::ADD_ON_DEPTH`] Add-On
 /// Instructions, the same again for the fault routine, and some to spare.
-const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH + 2) + 10;
+pub(crate) const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH + 2) + 10;
+/// Branches open in all of them together.
+pub(crate) const BRANCHES: usize = FRAMES * (limits::BRANCH_DEPTH + 1);
 /// Values that one call passes.
 pub(crate) const TRANSFERS: usize = 512;
 /// A CONTROL whose numeric run ended while its rung was false: the mark in its hidden word (A.6).
@@ -72,14 +74,14 @@ pub(crate) enum Slot {
 }
 
 /// The state of a library half, and of which instruction.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct Keeper {
     opcode: Opcode,
     state: State,
 }
 
 /// Everything that a scan changes.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Machine {
     /// Bit cells: the image's, then constants, then scratch; a power of two.
     pub(crate) bits: Vec<u8>,
@@ -149,7 +151,7 @@ impl Machine {
             events: vec![0; image.event_tasks.len()],
             records: vec![[0; 11]; image.programs.len()],
             frames: Vec::with_capacity(FRAMES),
-            branches: Vec::with_capacity(FRAMES.saturating_mul(limits::BRANCH_DEPTH.saturating_add(1))),
+            branches: Vec::with_capacity(BRANCHES),
             visited: vec![false; program.bodies.len()],
             jumps: vec![0; loaded.jump_counters],
             jumped: false,

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use twinrung_catalog::{Opcode, OperandKind};
 
-use crate::program::{Content, FormulaOperation, Instruction, Location, NONE, Operand, Program};
+use crate::program::{FormulaOperation, Instruction, Location, NONE, Operand, Program};
 
 /// Ranges of word cells that instructions other than timers may make negative.
 pub(crate) struct Written {
@@ -28,9 +28,12 @@ impl Written {
                 continue;
             }
             for index in 0..instruction.operands.count as usize {
-                let operand = program.operand(instruction.operands, index);
-                if writes(*instruction, index) {
-                    note(program, *instruction, operand, &mut ranges);
+                let (_, words) = cells(program, *instruction, index);
+                match program.operand(instruction.operands, index).location() {
+                    Some(location) if words > 0 && writes(*instruction, index) => {
+                        ranges.push(span(program, location, words));
+                    }
+                    _ => {}
                 }
             }
         }
@@ -79,54 +82,28 @@ pub(crate) fn writes(instruction: Instruction, index: usize) -> bool {
 }
 
 
-fn note(program: &Program, instruction: Instruction, operand: Operand, ranges: &mut Vec<(u32, u32)>) {
-    match operand {
-        Operand::Word { location, .. } | Operand::WordBit { location, .. } | Operand::Region { location, .. } => {
-            let cells = words(program, instruction, operand);
-            ranges.push(span(program, location, cells));
+/// Bit and word cells that an instruction reaches through its operand at `index`.
+pub(crate) fn cells(program: &Program, instruction: Instruction, index: usize) -> (u32, u32) {
+    let plan = program.copies.get(instruction.extra as usize);
+    let side = match (instruction.opcode, index, plan) {
+        (Opcode::Cop, 0, Some(plan)) => {
+            let bytes = plan.length.saturating_mul(plan.destination.bytes);
+            Some((plan.source, bytes.checked_div(plan.source.bytes).unwrap_or(0)))
         }
-        _ => {}
-    }
-}
-
-/// Word cells that an instruction reaches through an operand.
-pub(crate) fn words(program: &Program, instruction: Instruction, operand: Operand) -> u32 {
-    let copied = copied(program, instruction, operand).map(|(_, words)| words);
-    match operand {
-        Operand::Region { word_cells, .. } => copied.unwrap_or(word_cells),
-        Operand::Word { .. } => copied.unwrap_or(1),
-        Operand::WordBit { .. } => 1,
-        _ => 0,
-    }
-}
-
-/// Bit cells that an instruction reaches through an operand.
-pub(crate) fn bits(program: &Program, instruction: Instruction, operand: Operand) -> u32 {
-    match operand {
-        Operand::Region { bit_cells, .. } => {
-            copied(program, instruction, operand).map_or(bit_cells, |(bits, _)| bits)
+        (Opcode::Cop | Opcode::Fll, 1, Some(plan)) | (Opcode::Gsv | Opcode::Ssv, 3, Some(plan)) => {
+            Some((plan.destination, plan.length))
         }
-        Operand::Bit(_) => 1,
-        _ => 0,
-    }
-}
-
-/// Bit and word cells of a copy's side: as many elements as the longer side of the plan has bytes for.
-fn copied(program: &Program, instruction: Instruction, operand: Operand) -> Option<(u32, u32)> {
-    if !matches!(instruction.opcode, Opcode::Cop | Opcode::Fll | Opcode::Gsv | Opcode::Ssv) {
-        return None;
-    }
-    let plan = program.copies.get(instruction.extra as usize)?;
-    let content = match operand {
-        Operand::Region { content, .. } => content,
-        Operand::Word { element, .. } => Content::Element(element),
-        _ => return None,
+        _ => None,
     };
-    let side = if plan.source.content == content { plan.source } else { plan.destination };
-    let bytes = plan.length.saturating_mul(plan.destination.bytes.max(plan.source.bytes));
-    let elements = bytes.checked_div(side.bytes).unwrap_or(0).saturating_add(1).min(side.count);
-    let elements = elements.max(plan.length.min(side.count));
-    Some((elements.saturating_mul(side.bit_cells), elements.saturating_mul(side.word_cells)))
+    if let Some((side, elements)) = side {
+        return (elements.saturating_mul(side.bit_cells), elements.saturating_mul(side.word_cells));
+    }
+    match program.operand(instruction.operands, index) {
+        Operand::Region { bit_cells, word_cells, .. } => (bit_cells, word_cells),
+        Operand::Word { .. } | Operand::WordBit { .. } => (0, 1),
+        Operand::Bit(_) => (1, 0),
+        _ => (0, 0),
+    }
 }
 
 /// The word cells that a location can reach, all values of its subscripts considered.

@@ -260,9 +260,9 @@ impl Lowering<'_, '_> {
 
     fn touches_too_much(&self, instruction: Instruction) -> bool {
         let program = &*self.program;
-        let cells = instruction.operands.of(&program.operands).iter().fold(0u32, |sum, operand| {
-            sum.saturating_add(hazard::words(program, instruction, *operand))
-                .saturating_add(hazard::bits(program, instruction, *operand))
+        let cells = (0..instruction.operands.count as usize).fold(0u32, |sum, index| {
+            let (bits, words) = hazard::cells(program, instruction, index);
+            sum.saturating_add(bits).saturating_add(words)
         });
         cells as usize > TOUCHED
     }
@@ -397,8 +397,7 @@ impl Lowering<'_, '_> {
                 }
             }
             let Some(location) = operand.location() else { continue };
-            let bits = hazard::bits(program, instruction, *operand);
-            let words = hazard::words(program, instruction, *operand);
+            let (bits, words) = hazard::cells(program, instruction, position);
             for offset in 0..bits {
                 each(Resource::Bit(location.bit.saturating_add(offset)));
             }

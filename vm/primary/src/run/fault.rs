@@ -4,7 +4,7 @@ use twinrung_bytecode::channel::{MajorFault, ScanEnd};
 use twinrung_bytecode::observer::Observer;
 
 use super::{FaultCode, Run};
-use crate::machine::Role;
+use crate::machine::{BRANCHES, Role};
 use crate::program::NONE;
 
 /// The type of every fault that an instruction raises.
@@ -88,7 +88,7 @@ impl<O: Observer> Run<'_, O> {
         let Some(frame) = self.machine.frames.last().copied() else { return };
         if frame.stepping {
             let Some(single) = self.single(&frame) else { return };
-            let room = self.machine.branches.capacity().saturating_sub(self.machine.branches.len());
+            let room = BRANCHES.saturating_sub(self.machine.branches.len());
             for _ in 0..(single.depth as usize).min(room) {
                 self.machine.branches.push((false, false));
             }

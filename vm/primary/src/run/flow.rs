@@ -6,7 +6,7 @@ use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
 use super::{FaultCode, LOOPS, NO_LABEL, Run};
-use crate::machine::{Frame, Role};
+use crate::machine::{BRANCHES, Frame, Role};
 use crate::program::{Code, NONE, Single, Step};
 
 /// What an element did to the flow.
@@ -129,8 +129,8 @@ impl<O: Observer> Run<'_, O> {
     }
 
     fn open_branch(&mut self, condition: bool) {
-        // The capacity holds every branch that the deepest stack of bodies can have open.
-        if self.machine.branches.len() < self.machine.branches.capacity() {
+        // As many as the deepest stack of bodies can have open.
+        if self.machine.branches.len() < BRANCHES {
             self.machine.branches.push((condition, false));
         }
     }

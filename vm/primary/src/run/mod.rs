@@ -28,7 +28,7 @@ use twinrung_bytecode::observer::Observer;
 pub(crate) use compare::relation;
 pub(crate) use math::binary;
 
-use crate::machine::{Frame, Machine, Role};
+use crate::machine::{FRAMES, Frame, Machine, Role};
 use crate::program::{NONE, Program};
 
 /// The code of a major fault, type 4.
@@ -163,11 +163,13 @@ impl<O: Observer> Run<'_, O> {
     /// Begins a body.
     pub(crate) fn push(&mut self, body: u32, role: Role, prescan: bool) -> Result<(), FaultCode> {
         let machine = &mut *self.machine;
-        if machine.frames.len() >= machine.frames.capacity() {
+        if machine.frames.len() >= FRAMES {
             return Err(STACK);
         }
         let stepped = self.program.bodies.get(body as usize).is_some_and(|body| body.stepped);
-        let stepping = stepped && !prescan && !O::ACTIVE && !machine.doubtful;
+        // A fault routine and what it calls go by codes: they may reach a body whose rung is halted by the fault, and
+        // the lasting cells of that rung must stay.
+        let stepping = stepped && !prescan && !O::ACTIVE && !machine.doubtful && machine.handling.is_none();
         let entry = self.program.bodies.get(body as usize);
         let position = entry.map_or(0, |body| if stepping { body.steps.first } else { body.codes.first });
         machine.frames.push(Frame {

@@ -2,3 +2,5 @@
 
 mod assembler;
 mod bench;
+mod random;
+mod rig;
