@@ -16,56 +16,21 @@
     clippy::expect_used
 )]
 
-/// One `.rll` file, under the name of the instruction or part that it defines.
-macro_rules! source {
-    ($name:literal, $file:literal) => {
-        ($name, include_str!(concat!("../rll/", $file, ".rll")))
-    };
-}
+mod sources;
 
-/// The Add-On Instructions in source form: the mnemonic of the instruction, or the name of the shared part, and the text
-/// that defines it. Parts stand before the instructions that call them.
-pub static SOURCES: &[(&str, &str)] = &[
-    source!("Pair_Evaluator", "pair_evaluator"),
-    source!("Channel_Fault_Latch", "channel_fault_latch"),
-    source!("Stop_Core", "stop_core"),
-    source!("Muting_Core", "muting_core"),
-    source!("Analog_Core", "analog_core"),
-    source!("Redundant_Input_Core", "redundant_input_core"),
-    source!("Valve_Feedback", "valve_feedback"),
-    source!("Stroke_Permissives", "stroke_permissives"),
-    source!("DCS", "dcs"),
-    source!("DCST", "dcst"),
-    source!("DCSTL", "dcstl"),
-    source!("DCSTM", "dcstm"),
-    source!("DCM", "dcm"),
-    source!("DCSRT", "dcsrt"),
-    source!("SMAT", "smat"),
-    source!("THRSe", "thrse"),
-    source!("CROUT", "crout"),
-    source!("ROUT", "rout"),
-    source!("DCA", "dca"),
-    source!("DCAF", "dcaf"),
-    source!("TSAM", "tsam"),
-    source!("TSSM", "tssm"),
-    source!("FSBM", "fsbm"),
-    source!("DIN", "din"),
-    source!("RIN", "rin"),
-    source!("ENPEND", "enpend"),
-    source!("ESTOP", "estop"),
-    source!("LC", "lc"),
-    source!("FPMS", "fpms"),
-    source!("THRS", "thrs"),
-    source!("EPMS", "epms"),
-    source!("CPM", "cpm"),
-    source!("CSM", "csm"),
-    source!("AVC", "avc"),
-    source!("MVC", "mvc"),
-    source!("MMVC", "mmvc"),
-    source!("CBIM", "cbim"),
-    source!("CBSSM", "cbssm"),
-    source!("CBCM", "cbcm"),
-];
+pub use sources::SOURCES;
+
+/// What the name of a definition has before the mnemonic: `Safety_DCS` is DCS.
+pub const PREFIX: &str = "Safety_";
+
+/// The library compiled: the image of all definitions, shared parts included, as `twinrung_bytecode::admit_library`
+/// takes it.
+pub static LIBRARY: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/library.image"));
+
+/// The mnemonic of the instruction that a definition stands for; `None` for a shared part.
+pub fn mnemonic(definition: &str) -> Option<&str> {
+    definition.strip_prefix(PREFIX)
+}
 
 /// The text that defines an instruction, by its mnemonic, or a shared part, by its name; upper and lower case are the
 /// same.
