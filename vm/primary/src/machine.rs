@@ -131,8 +131,8 @@ impl Machine {
     pub(crate) fn new(image: &Image, loaded: &Loaded) -> Result<Machine, LoadError> {
         let mut keepers = Vec::with_capacity(loaded.safety_states.len());
         for opcode in &loaded.safety_states {
-            let state =
-                State::new(*opcode).ok_or(LoadError::Unsupported("a safety application instruction without library"))?;
+            let state = State::new(*opcode)
+                .ok_or(LoadError::Unsupported("a safety application instruction without library"))?;
             keepers.push(Keeper { opcode: *opcode, state });
         }
         let program = &loaded.program;

@@ -54,7 +54,10 @@ pub(crate) enum Content {
 pub(crate) enum BitNumber {
     Constant(u8),
     /// The formula that gives the number, and how many bits the word has.
-    Variable { formula: u32, length: u8 },
+    Variable {
+        formula: u32,
+        length: u8,
+    },
 }
 
 /// An operand, bound to absolute cells.

@@ -13,9 +13,7 @@ use super::operand::{Binding, element_of};
 use super::reader::Reader;
 use super::{Loader, copy};
 use crate::error::LoadError;
-use crate::program::{
-    AddOnCall, Argument, Code, Instruction, Jump, Label, Location, NONE, Operand, Range, SafetyCall,
-};
+use crate::program::{AddOnCall, Argument, Code, Instruction, Jump, Label, Location, NONE, Operand, Range, SafetyCall};
 
 /// What is known of a body while it is built.
 struct Building {
@@ -272,11 +270,7 @@ impl Loader<'_> {
             return Err(LoadError::Unsupported("an instance with a variable subscript"));
         }
         let image = self.image;
-        let add_on = image
-            .add_ons
-            .iter()
-            .find(|add_on| add_on.instance_type.0 == type_index)
-            .ok_or(MALFORMED)?;
+        let add_on = image.add_ons.iter().find(|add_on| add_on.instance_type.0 == type_index).ok_or(MALFORMED)?;
         let base = (reference.bit, reference.word);
         let mut inner = Binding { instance: Some(base), in_outs: alloc::vec![None; add_on.parameters.len()] };
         let (mut inputs, mut outputs) = (Vec::new(), Vec::new());

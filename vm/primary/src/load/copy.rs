@@ -1,9 +1,9 @@
 //! What COP, FLL, GSV and SSV move: the cells and bytes of each side.
 
-use twinrung_bytecode::layout;
-use twinrung_bytecode::limits;
 use twinrung_bytecode::image::TypeReference;
 use twinrung_bytecode::index::TypeIndex;
+use twinrung_bytecode::layout;
+use twinrung_bytecode::limits;
 use twinrung_catalog::Element;
 
 use super::Loader;

@@ -22,7 +22,10 @@ const OPERATIONS: usize = 1 << 14;
 /// What is still to be flattened.
 enum Task {
     /// A word or a literal, in the form that its consumer wants.
-    Leaf { operand: u32, wanted: Wanted },
+    Leaf {
+        operand: u32,
+        wanted: Wanted,
+    },
     /// An integer: a word, or an expression over integers.
     Integer(u32),
     Operation(FormulaOperation),
@@ -52,10 +55,7 @@ enum Token {
 }
 
 fn is_logical(operator: u8) -> bool {
-    matches!(
-        operator,
-        format::OPERATION_NOT | format::OPERATION_AND | format::OPERATION_XOR | format::OPERATION_OR
-    )
+    matches!(operator, format::OPERATION_NOT | format::OPERATION_AND | format::OPERATION_XOR | format::OPERATION_OR)
 }
 
 fn is_relation(operator: u8) -> bool {

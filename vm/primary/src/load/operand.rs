@@ -206,7 +206,8 @@ impl Loader<'_> {
             let (operand, length, bit_stride, word_stride) =
                 (reader.u32()?, reader.u32()?, reader.u32()?, reader.u32()?);
             let is_innermost = position.saturating_add(innermost) >= term_count;
-            let elements = match (is_innermost, word_stride.checked_div(word_cells), bit_stride.checked_div(bit_cells)) {
+            let elements = match (is_innermost, word_stride.checked_div(word_cells), bit_stride.checked_div(bit_cells))
+            {
                 (true, Some(elements), _) | (true, None, Some(elements)) => elements,
                 _ => 0,
             };

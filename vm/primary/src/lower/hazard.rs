@@ -81,7 +81,6 @@ pub(crate) fn writes(instruction: Instruction, index: usize) -> bool {
     })
 }
 
-
 /// Bit and word cells that an instruction reaches through its operand at `index`.
 pub(crate) fn cells(program: &Program, instruction: Instruction, index: usize) -> (u32, u32) {
     let plan = program.copies.get(instruction.extra as usize);

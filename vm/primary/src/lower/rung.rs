@@ -6,12 +6,12 @@ use alloc::vec::Vec;
 use twinrung_bytecode::format;
 use twinrung_catalog::{Element, Opcode, Position};
 
+use super::Constants;
 use super::cone::Cone;
 use super::hazard::{self, Written};
 use super::rail::Rails;
 use super::schedule::Scheduler;
 use super::work::{Resource, Work};
-use super::Constants;
 use crate::error::LoadError;
 use crate::number::{Binary, narrowed};
 use crate::program::{BitNumber, Code, Instruction, NONE, Operand, Program, Range, Single, Step};
@@ -207,8 +207,9 @@ impl Lowering<'_, '_> {
         let program = &*self.program;
         let operands = instruction.operands.of(&program.operands);
         let varies = operands.iter().any(|operand| !operand.is_fixed());
-        let reads_status =
-            operands.iter().any(|operand| matches!(operand, Operand::Status(keyword) if *keyword != format::STATUS_FIRST_SCAN));
+        let reads_status = operands
+            .iter()
+            .any(|operand| matches!(operand, Operand::Status(keyword) if *keyword != format::STATUS_FIRST_SCAN));
         if varies || reads_status {
             return true;
         }
@@ -353,11 +354,8 @@ impl Lowering<'_, '_> {
         let declared = instruction.opcode.instruction();
         let is_input = declared.position == Position::Input;
         // A comparison gives what its operands say, whatever the rung; with a false rung it cannot be seen.
-        let input = if is_input && instruction.opcode != Opcode::Ons {
-            self.program.one
-        } else {
-            self.rails.materialise()
-        };
+        let input =
+            if is_input && instruction.opcode != Opcode::Ons { self.program.one } else { self.rails.materialise() };
         for resource in &writes {
             if let Resource::Bit(cell) = resource {
                 self.rails.protect(*cell);

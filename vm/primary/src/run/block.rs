@@ -125,8 +125,7 @@ fn evaluate<const N: usize, T: Copy + Into<u32>>(bank: &mut [u8], gates: &[Gate<
     for gate in gates {
         let at = |cell: T| u32::from(bank.get(cell.into() as usize & mask).copied().unwrap_or(0));
         let [a, b, c, d] = gate.inputs;
-        let index =
-            at(a) | at(b).wrapping_shl(1) | at(c).wrapping_shl(2) | at(d).wrapping_shl(3);
+        let index = at(a) | at(b).wrapping_shl(1) | at(c).wrapping_shl(2) | at(d).wrapping_shl(3);
         let value = u32::from(gate.table).wrapping_shr(index) & 1;
         if let Some(out) = bank.get_mut(gate.out.into() as usize & mask) {
             *out = value as u8;
@@ -174,7 +173,8 @@ fn select(condition: bool, yes: i32, no: i32) -> i32 {
 fn timers<const KIND: u8>(machine: &mut Machine, now: i64, records: &[TimerRecord]) {
     for record in records {
         let (word, bit) = (record.word, record.bit);
-        let (accumulated_cell, timing_cell, done_cell) = (word.saturating_add(1), bit.saturating_add(1), bit.saturating_add(2));
+        let (accumulated_cell, timing_cell, done_cell) =
+            (word.saturating_add(1), bit.saturating_add(1), bit.saturating_add(2));
         let input = machine.bit(record.input);
         let (enabled, done) = (machine.bit(bit), machine.bit(done_cell));
         let (preset, accumulated) = (machine.word(word), machine.word(accumulated_cell));
@@ -233,8 +233,7 @@ fn arithmetic(
         let (value, overflow, carry) = operation(machine.word(record.left), machine.word(record.right));
         let kept = select(input, value, machine.word(record.destination));
         machine.put_word(record.destination, kept as u32);
-        let flags =
-            flags(record.order, value) | u32::from(overflow) | u32::from(carry).wrapping_mul(CARRY);
+        let flags = flags(record.order, value) | u32::from(overflow) | u32::from(carry).wrapping_mul(CARRY);
         last = last.max(select(input, flags as i32, 0) as u32);
         overflows = overflows.saturating_add(u32::from(input & overflow));
     }

@@ -125,9 +125,7 @@ impl<O: Observer> Run<'_, O> {
     pub(super) fn number_of(&self, slot: Slot) -> Number {
         match slot {
             Slot::Constant(number) => number,
-            Slot::Word { word, element: Element::Real } => {
-                Number::Real(f32::from_bits(self.machine.word(word) as u32))
-            }
+            Slot::Word { word, element: Element::Real } => Number::Real(f32::from_bits(self.machine.word(word) as u32)),
             Slot::Word { word, .. } => Number::Integer(self.machine.word(word)),
             Slot::Bit(_) | Slot::WordBit { .. } => Number::Integer(i32::from(self.bit_of(slot))),
             Slot::Region { .. } => Number::Integer(0),

@@ -27,8 +27,7 @@ impl<O: Observer> Run<'_, O> {
         loop {
             match self.program.steps.get(frame.position as usize).copied() {
                 Some(Step::Block { runs, instructions }) => {
-                    self.machine.status.executed =
-                        self.machine.status.executed.saturating_add(u64::from(instructions));
+                    self.machine.status.executed = self.machine.status.executed.saturating_add(u64::from(instructions));
                     self.block(runs);
                     frame.position = frame.position.saturating_add(1);
                 }

@@ -118,11 +118,8 @@ impl<O: Observer> Run<'_, O> {
         let operator = operator(number);
         let right = self.top(values);
         if let Operator::Unary(unary) = operator {
-            let outcome = if real {
-                real_unary(unary, f32::from_bits(right as u32))
-            } else {
-                integer_unary(unary, right)
-            };
+            let outcome =
+                if real { real_unary(unary, f32::from_bits(right as u32)) } else { integer_unary(unary, right) };
             self.settle(values, outcome);
             return values;
         }
@@ -148,9 +145,12 @@ impl<O: Observer> Run<'_, O> {
         if outcome.overflow {
             self.overflow();
         }
-        self.replace(values, match outcome.value {
-            Number::Integer(value) => value,
-            Number::Real(value) => value.to_bits() as i32,
-        });
+        self.replace(
+            values,
+            match outcome.value {
+                Number::Integer(value) => value,
+                Number::Real(value) => value.to_bits() as i32,
+            },
+        );
     }
 }

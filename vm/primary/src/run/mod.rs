@@ -201,12 +201,7 @@ impl<O: Observer> Run<'_, O> {
     /// Where an instruction stands.
     pub(crate) fn place(&self, frame: &Frame, element: u32) -> Place {
         let routine = self.program.bodies.get(frame.body as usize).map_or(0, |body| body.routine);
-        Place {
-            program: ProgramIndex(self.machine.program),
-            routine: RoutineIndex(routine),
-            rung: frame.rung,
-            element,
-        }
+        Place { program: ProgramIndex(self.machine.program), routine: RoutineIndex(routine), rung: frame.rung, element }
     }
 
     /// Counts one reached instruction.

@@ -199,8 +199,7 @@ impl Assembler {
             let type_reference = self.type_reference(declared);
             members.push(MemberRecord { name: name.to_string(), type_reference, dimensions: [0; 3] });
         }
-        let instance_type =
-            self.add_type(TypeRecord { name: name.to_string(), kind: TypeKind::AddOn(index), members });
+        let instance_type = self.add_type(TypeRecord { name: name.to_string(), kind: TypeKind::AddOn(index), members });
         self.image.add_ons.push(AddOnRecord {
             name: name.to_string(),
             instance_type,

@@ -2,5 +2,9 @@
 
 mod assembler;
 mod bench;
+mod bits_and_timers;
+mod files;
+mod flow;
+mod numbers;
 mod random;
 mod rig;

@@ -144,7 +144,9 @@ impl Random {
                     "COP(arr[i],arr[0],2)",
                 ])
                 .to_string(),
-            26 => format!("FLL({},{},{})", self.number(), self.pick(&["arr[1]", "small[2]", "arr[i]"]), 1 + self.below(4)),
+            26 => {
+                format!("FLL({},{},{})", self.number(), self.pick(&["arr[1]", "small[2]", "arr[i]"]), 1 + self.below(4))
+            }
             27 => {
                 let (control, mode) = (self.pick(&["k0", "k1"]), self.pick(&["ALL", "INC", "2"]));
                 format!("FAL({control},?,?,{mode},arr[{control}.POS],{})", self.expression(2))
@@ -153,7 +155,9 @@ impl Random {
                 let (control, mode) = (self.pick(&["k0", "k1"]), self.pick(&["ALL", "INC", "2"]));
                 format!("FSC({control},?,?,{mode},{})", self.condition())
             }
-            _ => self.pick(&["SWPB(i,WORD,j)", "SWPB(n,REVERSE,n)", "SIZE(arr[0],0,k)", "NOP()", "EVENT(0)"]).to_string(),
+            _ => {
+                self.pick(&["SWPB(i,WORD,j)", "SWPB(n,REVERSE,n)", "SIZE(arr[0],0,k)", "NOP()", "EVENT(0)"]).to_string()
+            }
         }
     }
 
@@ -255,7 +259,12 @@ fn program(seed: u64) -> Rig {
     let with_false: &[&str] = if random.below(2) == 0 { &["ADD(Out,1,Out)[OTE(EnableOut) ,OTE(Mem) ]"] } else { &[] };
     assembler.add_on(
         "Block",
-        &[("Go", "BOOL", Usage::Input), ("In", "DINT", Usage::Input), ("Out", "INT", Usage::Output), ("Ref", "DINT", Usage::InOut)],
+        &[
+            ("Go", "BOOL", Usage::Input),
+            ("In", "DINT", Usage::Input),
+            ("Out", "INT", Usage::Output),
+            ("Ref", "DINT", Usage::InOut),
+        ],
         &[("Mem", "BOOL"), ("T", "TIMER")],
         [&logic, &["OTL(Mem)"], with_false],
     );

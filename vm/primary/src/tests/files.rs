@@ -1,0 +1,181 @@
+//! COP, FLL, SIZE, FAL, FSC and subscripts. general-instructions.md 2.6 and A.6.
+
+use twinrung_bytecode::channel::ScanEnd;
+
+use super::rig::Rig;
+
+fn code(end: ScanEnd) -> u16 {
+    match end {
+        ScanEnd::MajorFault(fault) => fault.code,
+        ScanEnd::Completed | ScanEnd::BudgetExceeded => 0,
+    }
+}
+
+#[test]
+fn copy_when_onto_a_timer_then_shows_the_bits_of_its_first_word() {
+    let mut rig = Rig::new("raw DINT[3]; t TIMER; back SINT[12]", &["COP(raw[0],t,1)", "COP(t,back[0],12)"]);
+    rig.set("raw[0]", 0xC018_B1F3u32 as i32);
+    rig.set("raw[1]", 5000);
+    rig.set("raw[2]", 500);
+    rig.scan();
+    assert_eq!(rig.all("t.EN t.TT t.DN t.PRE t.ACC"), [1, 1, 0, 5000, 500]);
+    assert_eq!(rig.all("back[0] back[3] back[4] back[5]"), [0, -64, -120, 19]);
+}
+
+#[test]
+fn copy_when_ranges_overlap_then_reads_before_it_writes() {
+    let mut rig = Rig::new("arr DINT[4]", &["COP(arr[0],arr[1],3)"]);
+    for index in 0..4 {
+        rig.set(["arr[0]", "arr[1]", "arr[2]", "arr[3]"][index], index as i32 + 1);
+    }
+    rig.scan();
+    assert_eq!(rig.all("arr[0] arr[1] arr[2] arr[3]"), [1, 1, 2, 3]);
+}
+
+#[test]
+fn copy_when_a_subscript_leaves_too_few_elements_then_faults() {
+    let mut rig = Rig::new("arr out DINT[4]; i DINT", &["COP(arr[i],out[0],2)"]);
+    rig.set("arr[3]", 9);
+    rig.set("i", 2);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.get("out[1]"), 9);
+    rig.set("i", 3);
+    assert_eq!(code(rig.scan()), 20);
+}
+
+#[test]
+fn fill_when_value_does_not_fit_then_low_bits_and_overflow_only() {
+    let mut rig = Rig::new("small SINT[4]", &["FLL(300,small[1],2)"]);
+    rig.scan();
+    assert_eq!(rig.all("small[0] small[1] small[2] small[3]"), [0, 44, 44, 0]);
+    assert_eq!(rig.flags(), [true, false, false, false]);
+}
+
+#[test]
+fn size_when_executed_then_counts_elements() {
+    let mut rig = Rig::new("arr DINT[7]; i DINT", &["SIZE(arr[0],0,i)"]);
+    rig.scan();
+    assert_eq!(rig.get("i"), 7);
+}
+
+#[test]
+fn subscript_when_out_of_range_then_faults_unless_the_rung_is_false() {
+    let mut rig = Rig::new("arr DINT[4]; i DINT; a b BOOL", &["XIC(a)MOV(1,arr[i])", "XIC(b)MOV(1,arr[i+1])"]);
+    rig.set("i", 4);
+    assert_eq!(code(rig.scan()), 0);
+    rig.set("a", 1);
+    assert_eq!(code(rig.scan()), 20);
+    rig.set("i", -1);
+    assert_eq!(code(rig.scan()), 20);
+    rig.set("a", 0);
+    rig.set("b", 1);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.get("arr[0]"), 1);
+}
+
+#[test]
+fn coil_when_rung_is_false_then_still_checks_its_subscript() {
+    let mut rig = Rig::new("flags BOOL[32]; i DINT; a BOOL", &["XIC(a)OTE(flags[i])"]);
+    rig.set("i", 32);
+    assert_eq!(code(rig.scan()), 20);
+}
+
+#[test]
+fn bit_number_when_beyond_its_word_then_faults() {
+    let mut rig = Rig::new("n INT; i DINT; a BOOL", &["XIC(n.[i])OTE(a)"]);
+    rig.set("n", -32768);
+    rig.set("i", 15);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.get("a"), 1);
+    rig.set("i", 16);
+    assert_eq!(code(rig.scan()), 20);
+}
+
+#[test]
+fn file_arithmetic_when_all_then_stores_every_element_once() {
+    let mut rig = Rig::new("a BOOL; k CONTROL; arr DINT[4]", &["XIC(a)FAL(k,?,?,ALL,arr[k.POS],k.POS * 10)"]);
+    rig.set("k.LEN", 4);
+    rig.set("k.POS", 2);
+    rig.set("a", 1);
+    rig.prescan();
+    rig.scan();
+    assert_eq!(rig.all("arr[0] arr[1] arr[2] arr[3]"), [0, 10, 20, 30]);
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 1, 4]);
+    assert_eq!(rig.status().executed, 2 + 2 + 4);
+    rig.set("a", 0);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [0, 0, 0]);
+}
+
+#[test]
+fn file_arithmetic_when_incremental_then_one_element_for_each_edge() {
+    let mut rig = Rig::new("a BOOL; k CONTROL; arr DINT[2]", &["XIC(a)FAL(k,?,?,INC,arr[k.POS],7)"]);
+    rig.set("k.LEN", 2);
+    rig.set("a", 1);
+    rig.scan();
+    rig.scan();
+    assert_eq!(rig.all("arr[0] arr[1] k.POS k.DN"), [7, 0, 1, 0]);
+    rig.set("a", 0);
+    rig.scan();
+    rig.set("a", 1);
+    rig.scan();
+    assert_eq!(rig.all("arr[0] arr[1] k.POS k.DN"), [7, 7, 2, 1]);
+    rig.set("a", 0);
+    rig.scan();
+    assert_eq!(rig.all("k.POS k.DN"), [0, 0]);
+}
+
+#[test]
+fn file_arithmetic_when_numeric_then_goes_on_with_a_false_rung() {
+    let mut rig = Rig::new("a BOOL; k CONTROL; arr DINT[5]", &["XIC(a)FAL(k,?,?,2,arr[k.POS],7)"]);
+    rig.set("k.LEN", 5);
+    rig.set("a", 1);
+    rig.scan();
+    rig.set("a", 0);
+    rig.scan();
+    assert_eq!(rig.all("arr[3] arr[4] k.EN k.DN k.POS"), [7, 0, 1, 0, 4]);
+    rig.scan();
+    assert_eq!(rig.all("arr[4] k.EN k.DN k.POS"), [7, 1, 1, 5]);
+    rig.set("a", 1);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [0, 0, 0]);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 0, 2]);
+}
+
+#[test]
+fn file_arithmetic_when_it_overflows_then_stops_on_the_element() {
+    let mut rig = Rig::new("k CONTROL; arr SINT[3]", &["FAL(k,?,?,ALL,arr[k.POS],k.POS * 100)"]);
+    rig.set("k.LEN", 3);
+    rig.scan();
+    assert_eq!(rig.all("arr[1] arr[2] k.POS k.ER k.DN k.EN"), [100, -56, 2, 1, 0, 1]);
+    assert_eq!(rig.status().minor_faults, 1);
+}
+
+#[test]
+fn file_search_when_hit_then_inhibits_until_the_program_clears_it() {
+    let mut rig = Rig::new("k CONTROL; arr DINT[4]", &["FSC(k,?,?,ALL,arr[k.POS] = 5)"]);
+    rig.set("k.LEN", 4);
+    rig.set("arr[1]", 5);
+    rig.set("arr[3]", 5);
+    rig.scan();
+    assert_eq!(rig.all("k.POS k.FD k.IN k.DN"), [1, 1, 1, 0]);
+    rig.scan();
+    assert_eq!(rig.get("k.POS"), 1);
+    rig.set("k.IN", 0);
+    rig.scan();
+    assert_eq!(rig.all("k.POS k.FD k.IN k.DN"), [3, 1, 1, 0]);
+    rig.set("k.IN", 0);
+    rig.scan();
+    assert_eq!(rig.all("k.POS k.IN k.DN"), [4, 0, 1]);
+}
+
+#[test]
+fn file_when_control_is_negative_or_too_long_then_faults() {
+    let mut rig = Rig::new("k CONTROL; arr DINT[2]", &["FAL(k,?,?,ALL,arr[k.POS],7)"]);
+    rig.set("k.LEN", -1);
+    assert_eq!(code(rig.scan()), 21);
+    rig.set("k.LEN", 3);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.all("arr[0] arr[1] k.POS"), [7, 7, 2]);
+}
