@@ -98,14 +98,12 @@ pub(crate) fn integer_binary(operator: Binary, left: i32, right: i32) -> Outcome
         Binary::Subtract => integer_outcome(left.overflowing_sub(right), (left as u32) < (right as u32)),
         Binary::Multiply => integer_outcome(left.overflowing_mul(right), false),
         // By zero the result is A (A.9); the minimum by -1 wraps to itself.
-        Binary::Divide => match right {
-            0 => integer_outcome((left, true), false),
-            _ => integer_outcome((left.wrapping_div(right), left == i32::MIN && right == -1), false),
-        },
-        Binary::Modulo => match right {
-            0 => integer_outcome((0, true), false),
-            _ => integer_outcome((left.wrapping_rem(right), false), false),
-        },
+        Binary::Divide => {
+            let exceeded = if right == 0 { left } else { i32::MIN };
+            let quotient = left.checked_div(right);
+            integer_outcome((quotient.unwrap_or(exceeded), quotient.is_none()), false)
+        }
+        Binary::Modulo => integer_outcome((left.checked_rem(right).unwrap_or(0), right == 0), false),
         Binary::And => integer_outcome((left & right, false), false),
         Binary::Or => integer_outcome((left | right, false), false),
         Binary::Xor => integer_outcome((left ^ right, false), false),

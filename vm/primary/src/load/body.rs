@@ -171,10 +171,12 @@ impl Loader<'_> {
         }
         let index = self.program.instructions.len() as u32;
         self.program.instructions.push(Instruction { opcode, operands, element: building.element, extra });
-        if opcode == Opcode::Sbr && building.rung == 0 && building.element == 0 {
-            if let Some(body) = self.program.bodies.get_mut(building.body as usize) {
-                body.parameters = index;
-            }
+        if opcode == Opcode::Sbr
+            && building.rung == 0
+            && building.element == 0
+            && let Some(body) = self.program.bodies.get_mut(building.body as usize)
+        {
+            body.parameters = index;
         }
         Ok(Code::Instruction(index))
     }

@@ -78,10 +78,10 @@ impl Loader<'_> {
         }
         let operand = self.bind(index, binding)?;
         let position = self.push_operand(operand)?;
-        if binding.is_absolute() {
-            if let Some(slot) = self.known_operands.get_mut(index as usize) {
-                *slot = position;
-            }
+        if binding.is_absolute()
+            && let Some(slot) = self.known_operands.get_mut(index as usize)
+        {
+            *slot = position;
         }
         Ok(position)
     }

@@ -134,10 +134,10 @@ impl Scheduler {
         let mut ready: Vec<VecDeque<u32>> = vec![VecDeque::new(); KINDS];
         let rank = |index: u32| block.get(index as usize).map_or(0, |work| work.kind().rank());
         for (index, waiting) in self.waiting.iter().enumerate() {
-            if *waiting == 0 {
-                if let Some(queue) = ready.get_mut(rank(index as u32)) {
-                    queue.push_back(index as u32);
-                }
+            if *waiting == 0
+                && let Some(queue) = ready.get_mut(rank(index as u32))
+            {
+                queue.push_back(index as u32);
             }
         }
         let mut order = Vec::with_capacity(block.len());
@@ -149,10 +149,10 @@ impl Scheduler {
                     successor = next;
                     let Some(waiting) = self.waiting.get_mut(after as usize) else { continue };
                     *waiting = waiting.saturating_sub(1);
-                    if *waiting == 0 {
-                        if let Some(queue) = ready.get_mut(rank(after)) {
-                            queue.push_back(after);
-                        }
+                    if *waiting == 0
+                        && let Some(queue) = ready.get_mut(rank(after))
+                    {
+                        queue.push_back(after);
                     }
                 }
             }
@@ -166,10 +166,10 @@ impl Scheduler {
         for (position, index) in order.iter().enumerate() {
             let Some(work) = block.get(*index as usize) else { continue };
             let mut touch = |resource: Resource| {
-                if let Resource::Bit(signal) = resource {
-                    if let Some(last) = last_use.get_mut((signal ^ VIRTUAL) as usize) {
-                        *last = position as u32;
-                    }
+                if let Resource::Bit(signal) = resource
+                    && let Some(last) = last_use.get_mut((signal ^ VIRTUAL) as usize)
+                {
+                    *last = position as u32;
                 }
             };
             work.reads(&mut touch);
@@ -226,10 +226,11 @@ fn remove_dead(block: &mut Vec<Work>) -> u32 {
     let mut virtuals = 0u32;
     for work in block.iter() {
         let mut count = |resource: Resource| {
-            if let Resource::Bit(signal) = resource {
-                if signal >= VIRTUAL && signal != NONE {
-                    virtuals = virtuals.max((signal ^ VIRTUAL).saturating_add(1));
-                }
+            if let Resource::Bit(signal) = resource
+                && signal >= VIRTUAL
+                && signal != NONE
+            {
+                virtuals = virtuals.max((signal ^ VIRTUAL).saturating_add(1));
             }
         };
         work.writes(&mut count);
@@ -244,10 +245,10 @@ fn remove_dead(block: &mut Vec<Work>) -> u32 {
         *keep = needed;
         if needed {
             work.reads(|resource| {
-                if let Resource::Bit(signal) = resource {
-                    if let Some(used) = used.get_mut((signal ^ VIRTUAL) as usize) {
-                        *used = true;
-                    }
+                if let Resource::Bit(signal) = resource
+                    && let Some(used) = used.get_mut((signal ^ VIRTUAL) as usize)
+                {
+                    *used = true;
                 }
             });
         }

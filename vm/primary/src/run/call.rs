@@ -20,10 +20,10 @@ impl<O: Observer> Run<'_, O> {
         } else {
             let fault_routine =
                 self.program.programs.get(usize::from(self.machine.program)).map_or(NONE, |program| program.fault);
-            if body == fault_routine {
-                if let Some(code) = self.user_fault(jsr)? {
-                    return Err(code);
-                }
+            if body == fault_routine
+                && let Some(code) = self.user_fault(jsr)?
+            {
+                return Err(code);
             }
             self.pass_inputs(jsr, body)?;
         }

@@ -75,10 +75,10 @@ impl<O: Observer> Run<'_, O> {
 
     /// EVENT with a true rung.
     pub(super) fn event(&mut self, instruction: Instruction) {
-        if let Operand::EventTask(task) = self.program.operand(instruction.operands, 0) {
-            if let Some(count) = self.machine.events.get_mut(usize::from(task)) {
-                *count = count.saturating_add(1);
-            }
+        if let Operand::EventTask(task) = self.program.operand(instruction.operands, 0)
+            && let Some(count) = self.machine.events.get_mut(usize::from(task))
+        {
+            *count = count.saturating_add(1);
         }
     }
 }
