@@ -5,6 +5,7 @@
 //! asks for a reading of it. It must never panic, recurse without a limit, or take more than
 //! linear time on any input.
 
+mod budget;
 mod components;
 mod errors;
 mod excerpt;

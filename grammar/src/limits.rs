@@ -1,9 +1,20 @@
 //! Every limit of reading, with its reason. A file beyond one is refused with an error that names
 //! it; nothing here panics, recurses without a limit, or takes more than linear time.
 
-/// Bytes of one file. The largest exports known are below 100 MB; spans are 32-bit offsets, and
-/// the tree of a hostile file takes at most about 64 bytes for each of its bytes.
-pub const FILE_BYTES_MAX: usize = 128 << 20;
+/// Bytes of one file. The largest exports known are below this; spans are 32-bit offsets.
+pub const FILE_BYTES_MAX: usize = 64 << 20;
+
+/// Bytes that the tree of one file may take, as counted roughly while reading. Few bytes of text can
+/// be many of tree (`[,,,,]`, `a,b,c : X`); reading stops with an error where the count is reached.
+/// A project of 100,000 rungs counts about a third of it.
+pub const TREE_BYTES_MAX: usize = 2 << 30;
+
+/// Tags that one declaration declares.
+pub const NAMES_MAX: usize = 64;
+
+/// Bytes of a declaration that declares more than one tag: each of them has a copy of its attributes
+/// and value.
+pub const JOINED_BYTES_MAX: usize = 8 << 10;
 
 /// Branches in branches. Studio warns at 6; walkers of the tree may recurse this deep.
 pub const BRANCH_DEPTH_MAX: usize = 64;

@@ -71,6 +71,20 @@ fn operands_when_more_than_the_limit_then_are_an_error() {
 }
 
 #[test]
+fn names_when_more_than_the_limit_then_are_an_error() {
+    let reading = read_text(format!("TAG a{} : DINT; b : DINT; END_TAG", ", a".repeat(limits::NAMES_MAX)));
+    assert_eq!(kinds(&reading), [ErrorKind::TooMany]);
+    assert_eq!(reading.file.tags.len(), 2);
+}
+
+#[test]
+fn names_when_their_declaration_is_long_then_are_an_error() {
+    let text = "x".repeat(limits::JOINED_BYTES_MAX);
+    let reading = read_text(format!("TAG a, b : DINT (Description := \"{text}\"); END_TAG"));
+    assert_eq!(kinds(&reading), [ErrorKind::TooMany]);
+}
+
+#[test]
 fn value_when_one_past_the_limit_then_is_an_error() {
     let depth = limits::VALUE_DEPTH_MAX + 1;
     let text = format!("TAG a : DINT := {}1{}; b : DINT; END_TAG", "[".repeat(depth), "]".repeat(depth));

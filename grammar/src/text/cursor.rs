@@ -4,6 +4,7 @@
 use logos::Logos;
 
 use super::token::Token;
+use crate::budget::Budget;
 use crate::errors::Errors;
 use crate::excerpt::Excerpt;
 use crate::limits::VALUE_DEPTH_MAX;
@@ -26,6 +27,9 @@ struct Waiting {
 pub(crate) struct Cursor<'a> {
     pub(crate) file: Excerpt<'a>,
     pub(crate) errors: Errors,
+    budget: Budget,
+    /// The budget is spent: there are no more tokens.
+    exhausted: bool,
     lexer: logos::Lexer<'a, Token>,
     /// Added to the lexer's offsets: it starts anew after each rung.
     lexer_start: usize,
@@ -55,6 +59,8 @@ impl<'a> Cursor<'a> {
         Cursor {
             file,
             errors: Errors::default(),
+            budget: Budget::default(),
+            exhausted: false,
             lexer: Token::lexer(file.text),
             lexer_start: 0,
             peeked: None,
@@ -85,6 +91,9 @@ impl<'a> Cursor<'a> {
     }
 
     fn scan(&mut self) -> Option<Placed> {
+        if self.exhausted {
+            return None;
+        }
         loop {
             let token = self.lexer.next()?;
             let range = self.lexer.span();
@@ -107,6 +116,17 @@ impl<'a> Cursor<'a> {
     pub(crate) fn line_end(&self, offset: usize) -> usize {
         let rest = self.file.text.get(offset..).unwrap_or("");
         offset + memchr::memchr(b'\n', rest.as_bytes()).unwrap_or(rest.len())
+    }
+
+    /// Counts what a piece of tree takes; when nothing is left, the file ends here.
+    pub(crate) fn spend(&mut self, bytes: usize, place: Span) {
+        if let Err(error) = self.budget.spend(bytes, place)
+            && !self.exhausted
+        {
+            self.errors.push(error);
+            self.exhausted = true;
+            self.peeked = None;
+        }
     }
 
     fn comment(&mut self, start: usize, end: usize) {

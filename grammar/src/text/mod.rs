@@ -20,6 +20,7 @@ use lalrpop_util::{ParseError, lalrpop_mod};
 
 pub(crate) use rungs::{parse_rung, rung_kind};
 
+use crate::budget::BYTES_FOR_EACH;
 use crate::components;
 use crate::errors::Errors;
 use crate::excerpt::Excerpt;
@@ -72,6 +73,9 @@ struct Reader<'a> {
     /// Ends of islands that are nowhere in the rest of the file.
     absent_ends: Vec<&'static str>,
 }
+
+/// What a block takes in the tree, at most: a module has many fields.
+const HEAD_BYTES: usize = 1_000;
 
 /// What a block goes on with.
 enum Next<'a> {
@@ -168,6 +172,7 @@ impl<'a> Reader<'a> {
         if ended == Ended::Early {
             self.cursor.errors.add(ErrorKind::MalformedDeclaration, span, "the attribute list is not closed by `)`");
         }
+        self.cursor.spend(HEAD_BYTES + span.len() as usize * BYTES_FOR_EACH, span);
         let file = self.cursor.file;
         let parsed = self.cursor.checked_run().and_then(|run| match run {
             [] => Err(ReadError::new(ErrorKind::MalformedDeclaration, span, format!("`{what}` has no name"))),
@@ -318,6 +323,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let span = self.cursor.run_span();
+        self.cursor.spend(span.len() as usize * BYTES_FOR_EACH, span);
         let file = self.cursor.file;
         let parsed = self.cursor.checked_run().and_then(|run| {
             parse(file, run).map_err(|error| refusal(file, error, ErrorKind::MalformedDeclaration, expected))

@@ -5,11 +5,15 @@ use lalrpop_util::ParseError;
 use super::rung_token::{RungLexer, RungToken};
 use super::token::Token;
 use super::{Reader, rung};
+use crate::budget::BYTES_FOR_EACH;
 use crate::excerpt::Excerpt;
 use crate::reading::number::clip;
 use crate::tree::{
     CompactString, Element, ErrorKind, Instruction, ReadError, Rung, RungKind, Span, Spanned, Text, Trivia,
 };
+
+/// What a rung without elements takes in the tree.
+const RUNG_BYTES: usize = 100;
 
 /// The kinds of rung as they are written. They differ in case.
 const KINDS: &[(&str, RungKind)] = &[
@@ -157,6 +161,7 @@ impl Reader<'_> {
         let text = file.slice(start, extent.end);
         let blanks = text.len() - text.trim_start().len();
         let span = file.locate(start + blanks, start + text.trim_end().len().max(blanks));
+        self.cursor.spend(RUNG_BYTES + text.len() * BYTES_FOR_EACH, span);
         self.cursor.skip_to(start + text.trim_end().len());
         self.cursor.keep_comments(comments);
         let broken = parsed.is_err();

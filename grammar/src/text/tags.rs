@@ -2,11 +2,17 @@
 
 use super::build::TagDeclaration;
 use super::{Next, Reader, declaration};
+use crate::budget::BYTES_FOR_EACH;
 use crate::components;
 use crate::fields::Fields;
+use crate::limits::{JOINED_BYTES_MAX, NAMES_MAX};
 use crate::tree::{
-    Attribute, AttributeValue, Data, DataForm, OperandComment, Parameter, Span, Tag, TagKind, Text, Trivia, Value,
+    Attribute, AttributeValue, Data, DataForm, ErrorKind, OperandComment, Parameter, ReadError, Span, Tag, TagKind,
+    Text, Trivia, Value,
 };
+
+/// What a tag without attributes takes in the tree.
+const TAG_BYTES: usize = 500;
 
 impl Reader<'_> {
     /// A block of tags; comments around the block itself go to the tags in it.
@@ -60,13 +66,29 @@ impl Reader<'_> {
         }
     }
 
+    /// Each of several names has a copy of what is declared: that has a limit.
+    fn limit_names(&mut self, declaration: &mut TagDeclaration, span: Span) {
+        let names = declaration.names.len();
+        if names > NAMES_MAX || (names > 1 && span.len() as usize > JOINED_BYTES_MAX) {
+            let message = format!(
+                "{names} names in a declaration of {} bytes; at most {NAMES_MAX} names in {JOINED_BYTES_MAX} bytes",
+                span.len()
+            );
+            let error = ReadError::new(ErrorKind::TooMany, span, message);
+            self.cursor.errors.push(error.with_help("declare them one by one"));
+            declaration.names.truncate(1);
+        }
+        self.cursor.spend(declaration.names.len() * (TAG_BYTES + span.len() as usize * BYTES_FOR_EACH), span);
+    }
+
     fn tag_declaration(&mut self, block: Span) -> Option<(TagDeclaration, Span, Trivia)> {
         while let Next::Word(_) = self.next_in_block(block) {
             let mut trivia = self.cursor.leading();
             let parsed = self.statement("a tag declaration such as `Name : TYPE;`", |file, run| {
                 declaration::TagParser::new().parse(file, run.iter().copied())
             });
-            if let Some((declaration, span)) = parsed {
+            if let Some((mut declaration, span)) = parsed {
+                self.limit_names(&mut declaration, span);
                 self.cursor.trailing(&mut trivia);
                 return Some((declaration, span, trivia));
             }

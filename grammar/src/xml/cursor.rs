@@ -7,11 +7,15 @@ use std::borrow::Cow;
 
 use quick_xml::events::{BytesStart, Event};
 
+use crate::budget::{BYTES_FOR_EACH, Budget};
 use crate::errors::Errors;
 use crate::excerpt::Excerpt;
 use crate::fields::Fields;
 use crate::limits::{XML_ATTRIBUTES_MAX, XML_DEPTH_MAX};
 use crate::tree::{Attribute, AttributeValue, CompactString, ErrorKind, Name, OriginMap, SourceId, Span, Text};
+
+/// What an element takes in the tree: a tag takes more, a value less.
+const ELEMENT_BYTES: usize = 300;
 
 /// A position in an XML file.
 pub(crate) struct Xml<'a> {
@@ -19,6 +23,7 @@ pub(crate) struct Xml<'a> {
     text: &'a str,
     source: SourceId,
     pub(crate) errors: Errors,
+    budget: Budget,
     depth: usize,
     /// After the end of the file, or an error.
     ended: bool,
@@ -130,7 +135,7 @@ impl<'a> Xml<'a> {
         let without_mark = text.trim_start_matches('\u{feff}');
         let mut reader = quick_xml::Reader::from_str(without_mark);
         reader.config_mut().expand_empty_elements = true;
-        Xml { reader, text, source, errors: Errors::default(), depth: 0, ended: false }
+        Xml { reader, text, source, errors: Errors::default(), budget: Budget::default(), depth: 0, ended: false }
     }
 
     /// Where a piece of the file's text begins in it.
@@ -216,9 +221,20 @@ impl<'a> Xml<'a> {
         while self.depth > outside && self.event().is_some() {}
     }
 
+    /// Counts what a piece of tree takes; when nothing is left, the file ends here.
+    fn spend(&mut self, bytes: usize, place: Span) {
+        if let Err(error) = self.budget.spend(bytes, place)
+            && !self.ended
+        {
+            self.errors.push(error);
+            self.ended = true;
+        }
+    }
+
     fn element(&mut self, start: &BytesStart<'_>) -> Element<'a> {
         let (tag, at) = self.piece(start);
         let span = self.span(at.saturating_sub(1), at + tag.len());
+        self.spend(ELEMENT_BYTES + tag.len() * 2, span);
         let (name, _) = self.piece(start.name().into_inner());
         // Most elements have fewer.
         let mut attributes: Vec<RawAttribute<'a>> = Vec::with_capacity(8);
@@ -276,7 +292,9 @@ impl<'a> Xml<'a> {
             }
         }
         let end = self.position();
-        pieces.joined(self.source, end)
+        let content = pieces.joined(self.source, end);
+        self.spend(content.text.len() * BYTES_FOR_EACH, content.span);
+        content
     }
 }
 
