@@ -137,14 +137,6 @@ codes! {
     NO_TASK = "E0403", "there is no safety task",
         "An image needs a safety task. A partial export has none: complete it with --period and --watchdog.",
         "neutral-text-and-l5x.md D.1";
-    /// A place on the rung that the instruction may not have.
-    WRONG_POSITION = "E0404", "an instruction stands in the wrong place",
-        "LBL and SBR are the first instruction of a rung (SBR of a routine's first rung); JMP, RET, TND and MCR end their path.",
-        "general-instructions.md A.8";
-    /// Parameters that do not match.
-    PARAMETER_MISMATCH = "E0405", "parameters of a subroutine do not match",
-        "The inputs of a JSR match the operands of the routine's SBR in number, order and type, and its returns those of every RET.",
-        "general-instructions.md A.8";
     /// A rung without anything on it.
     EMPTY_RUNG = "E0406", "a rung is empty",
         "An empty rung executes nothing and does not verify. Delete it, or put NOP() on it.",

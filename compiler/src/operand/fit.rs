@@ -9,7 +9,8 @@ use super::expression::{self, ExpressionKind};
 use super::reference::{self, Reference, Shape, describe_reference, type_text};
 use super::{Literal, Operand, Scope, literal_of, system};
 use crate::diagnostic::{
-    BROKEN_OPERAND, Finding, OPERAND_TYPE, SUBSCRIPT_RANGE, UNKNOWN_CHOICE, UNKNOWN_EVENT_TASK, UNKNOWN_ROUTINE,
+    BROKEN_OPERAND, Finding, OPERAND_TYPE, SUBSCRIPT_RANGE, UNKNOWN_CHOICE, UNKNOWN_EVENT_TASK, UNKNOWN_LABEL,
+    UNKNOWN_ROUTINE,
     VALUE_RANGE,
 };
 use crate::names::{closest, fold};
@@ -148,7 +149,22 @@ pub(crate) fn operand(
                 let message = format!("`{}` is no label: {fault}", shown.text);
                 return Err(Finding::new(&BROKEN_OPERAND, shown.span, message).into());
             }
-            simple(reader, Operand::Text(shown.text.clone()))
+            let known = reader.labels.get(&fold(&shown.text)).map(|(spelled, _)| spelled.clone());
+            match known {
+                Some(spelled) => simple(reader, Operand::Text(spelled)),
+                // A label that is not the first of its rung is reported as such.
+                None if kind == OperandKind::LabelDefinition => simple(reader, Operand::Text(shown.text.clone())),
+                None => {
+                    let message = format!("the routine has no label `{}`", shown.text);
+                    let finding = Finding::new(&UNKNOWN_LABEL, shown.span, message);
+                    let names = reader.labels.values().map(|(spelled, _)| spelled.as_str());
+                    Err(match closest(&shown.text, names) {
+                        Some(like) => finding.help(format!("did you mean `{like}`?")),
+                        None => finding.help("begin the rung that is meant with LBL"),
+                    }
+                    .into())
+                }
+            }
         }
         OperandKind::Routine => routine(reader, shown),
         OperandKind::InputCount => {
@@ -162,8 +178,7 @@ pub(crate) fn operand(
                 }
             }
             let id = reference_operand(reader, shown, access.writes())?;
-            let fits = |reference: &Reference| reference.dimensions == [0; 3];
-            check(reader, id, name, shown.span, "a BOOL, a number or a structure", fits)
+            check(reader, id, name, shown.span, "a BOOL, a number or a structure", |_| true)
         }
         OperandKind::EventTask => {
             let found = reader.context.event_tasks.iter().find(|task| task.eq_ignore_ascii_case(&shown.text));
@@ -206,7 +221,7 @@ pub(crate) fn operand(
             let steps = if step > 1 { format!(" in steps of {step}") } else { String::new() };
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
             let message = format!("{name} is {}: it must be {zero}{least} to {greatest}{unit}{steps}", shown.text);
-            Err(Finding::new(&VALUE_RANGE, shown.span, message).into())
+            Err(Finding::new(&VALUE_RANGE, shown.span, message).help("write a value in that range").into())
         }
         OperandKind::SafetyBit { immediate } => {
             if let Some(id) = literal_operand(reader, shown)? {
@@ -254,7 +269,7 @@ pub(crate) fn operand(
                     let message = format!("{name} is {}: it must not be negative", shown.text);
                     return Err(Finding::new(&VALUE_RANGE, shown.span, message).into());
                 }
-                return Ok(id);
+                return Ok(reader.operands.add(Operand::Real(value.to_bits())));
             }
             let id = reference_operand(reader, shown, false)?;
             let real = |reference: &Reference| reference.shape() == Shape::Word && reference.element() == Some(Element::Real);
@@ -298,7 +313,7 @@ pub(crate) fn read_argument(
         let id = reference_operand(reader, shown, !parameter.constant)?;
         let Some(reference) = reader.reference(id) else { return Err(Refusal::Reported) };
         let fits = reference.type_reference == wanted
-            && reference.dimensions == parameter.dimensions
+            && array_fits(parameter.dimensions, reference.dimensions)
             && reference.shape() != Shape::WordBit;
         if !fits {
             let text = type_text(reader.context, wanted, parameter.dimensions);
@@ -311,11 +326,6 @@ pub(crate) fn read_argument(
     }
     let reads = parameter.usage == Usage::Input;
     if reads {
-        if wanted == TypeReference::Element(Element::Bool) {
-            if let Some(keyword) = status_keyword(&shown.text) {
-                return Ok(reader.operands.add(Operand::Status(keyword)));
-            }
-        }
         if let Some(id) = literal_operand(reader, shown)? {
             if wanted == TypeReference::Element(Element::Bool) && !matches!(reader.integer(id), Some(0 | 1)) {
                 let message = format!("{name} is a BOOL: {} is neither 0 nor 1", shown.text);
@@ -331,6 +341,12 @@ pub(crate) fn read_argument(
         }
         _ => check(reader, id, name, shown.span, "SINT, INT, DINT or REAL", is_word),
     }
+}
+
+/// An array may be longer than the parameter in its first dimension.
+fn array_fits(parameter: [u32; 3], argument: [u32; 3]) -> bool {
+    let ([wanted, ..], [given, ..]) = (parameter, argument);
+    parameter[1..] == argument[1..] && (given == wanted || (wanted > 0 && given > wanted))
 }
 
 fn variable(span: Span, what: &str) -> Refusal {

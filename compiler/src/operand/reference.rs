@@ -1,6 +1,6 @@
 //! References to data: the path that the text writes, and where it leads.
 
-use twinrung_bytecode::image::TypeReference;
+use twinrung_bytecode::image::{TypeKind, TypeReference};
 use twinrung_bytecode::layout::elements;
 use twinrung_bytecode::limits;
 use twinrung_catalog::Element;
@@ -323,6 +323,15 @@ fn step(
             let Some(position) = context.types.member(index, name.as_str()) else {
                 return Err(unknown_member(context, index, name).into());
             };
+            if let TypeKind::AddOn(add_on) = context.types.record(index).kind {
+                let held = &context.add_ons[usize::from(add_on.0)].parameters;
+                if usize::from(position) >= held.iter().filter(|parameter| parameter.member.is_some()).count() {
+                    let message = format!("`{name}` is a local tag of {}, which nobody else sees", context.types.record(index).name);
+                    return Err(Finding::new(&UNKNOWN_MEMBER, name.span, message)
+                        .help("make it an Output parameter of the Add-On Instruction")
+                        .into());
+                }
+            }
             let member = &context.types.record(index).members[usize::from(position)];
             let place = context.types.layout(index).members[usize::from(position)];
             walk.type_reference = member.type_reference;

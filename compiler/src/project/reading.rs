@@ -10,7 +10,7 @@ use super::{
     AddOn, AddOnId, Branch, Call, Element, Instruction, OperandId, OperandUse, Profile, RoutineId, Rung, ScopeNames, Tag,
     TagId, Types,
 };
-use crate::diagnostic::{EMPTY_RUNG, Finding, Findings, OPERAND_COUNT, OPERAND_MISSING, OVER_LIMIT, reading_finding};
+use crate::diagnostic::{DUPLICATE_NAME, EMPTY_RUNG, Finding, Findings, OPERAND_COUNT, OPERAND_MISSING, OVER_LIMIT, reading_finding};
 use crate::names::{Map, Set, fold};
 use crate::operand::{self, Operand, Scope};
 use crate::rules;
@@ -247,6 +247,8 @@ pub(crate) struct RungReader<'a, 'c> {
     pub operands: &'a mut Operands,
     pub findings: &'a mut Findings,
     pub scope: Scope,
+    /// Labels of the routine that is being read, fold case, as they are spelled where they are defined.
+    pub labels: Map<CompactString, (CompactString, Span)>,
     /// Whether the instruction that is being read writes a system value (SSV).
     pub sets_system_value: bool,
     /// Instructions on the rung so far.
@@ -268,9 +270,26 @@ impl<'a, 'c> RungReader<'a, 'c> {
             operands,
             findings,
             scope,
+            labels: Map::default(),
             sets_system_value: false,
             element: 0,
             incomplete: false,
+        }
+    }
+
+    /// Finds the labels of a routine before its rungs are read: jumps lead forward too.
+    pub fn find_labels(&mut self, rungs: &[tree::Rung]) {
+        for rung in rungs {
+            // A label that stands elsewhere on its rung is refused where it is read.
+            let Some(tree::Element::Instruction(first)) = rung.elements.first() else { continue };
+            let ([label], true) = (first.operands.as_slice(), first.mnemonic.is("LBL")) else { continue };
+            if let Some((_, known)) = self.labels.get(&fold(&label.text)) {
+                let message = format!("the label `{}` is defined twice", label.text);
+                let finding = Finding::new(&DUPLICATE_NAME, label.span, message).label(*known, "first defined here");
+                self.findings.push(finding.help("rename one of the two"));
+                continue;
+            }
+            self.labels.insert(fold(&label.text), (label.text.clone(), label.span));
         }
     }
 

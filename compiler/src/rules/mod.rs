@@ -49,24 +49,60 @@ macro_rules! rules {
     };
 }
 
+mod usage;
+
 #[cfg(test)]
 mod testing;
 
 rules! {
     admission,
     alias_across_classes,
+    automatic_restart,
+    backing_once,
+    backing_written,
+    backward_jump,
+    condition_before_box,
+    connected_tag,
     copy_length_constant,
+    copy_size,
+    deep_branches,
+    enable_in,
     expression_operator,
+    forces,
+    input_written,
+    integer_division,
+    master_control,
+    mixed_compare,
     module_setting,
+    no_output,
+    not_scheduled,
+    one_safety_task,
+    operand_pair,
+    output_not_written,
     pending_edits,
+    period,
+    position,
     preset,
+    program_routines,
     real,
+    recursion,
+    reset_of_tof,
     routine_language,
     safety_type,
+    schedule,
+    shared_storage,
+    short_pattern,
     standard_tag,
+    standard_write,
+    status_not_watched,
+    subroutine,
     system_attribute,
     tag_map,
+    two_coils,
     uncertified,
+    unguarded_divisor,
+    watchdog,
+    written_tag,
 }
 
 use crate::diagnostic::Findings;
@@ -74,7 +110,48 @@ use crate::project::Project;
 
 /// Applies every rule that looks at the project as a whole.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
-    pending_edits::check(project, findings);
-    preset::check(project, findings);
-    real::check(project, findings);
+    for rule in ALL {
+        rule(project, findings);
+    }
 }
+
+/// Rules over whole projects; findings are ordered by place afterwards.
+static ALL: &[fn(&Project, &mut Findings)] = &[
+    pending_edits::check,
+    preset::check,
+    real::check,
+    one_safety_task::check,
+    period::check,
+    watchdog::check,
+    schedule::check,
+    program_routines::check,
+    forces::check,
+    connected_tag::check,
+    standard_write::check,
+    written_tag::check,
+    copy_size::check,
+    operand_pair::check,
+    recursion::check,
+    backing_once::check,
+    backing_written::check,
+    enable_in::check,
+    position::check,
+    subroutine::check,
+    master_control::check,
+    reset_of_tof::check,
+    two_coils::check,
+    no_output::check,
+    shared_storage::check,
+    output_not_written::check,
+    status_not_watched::check,
+    deep_branches::check,
+    unguarded_divisor::check,
+    condition_before_box::check,
+    automatic_restart::check,
+    not_scheduled::check,
+    input_written::check,
+    short_pattern::check,
+    mixed_compare::check,
+    integer_division::check,
+    backward_jump::check,
+];

@@ -10,7 +10,7 @@ rule! {
     "Only ladder is certified for safety routines. Write the routine as ladder, or move it to a standard program.",
     "1756-RM093, Safety Routines",
     good: sample!("    Run : BOOL (Class := Safety);\n", "      N: OTE(Run);\n"),
-    bad: ""
+    bad: sample!("    Run : BOOL (Class := Safety);\n", "      N: OTE(Run);\n    END_ROUTINE\n    ST_ROUTINE <<Other>>\n      'Run := 1;\n    END_ST_ROUTINE\n    ROUTINE Last\n      N: NOP();\n")
 }
 
 /// The finding for a routine.

@@ -233,6 +233,7 @@ pub(super) fn read_rungs(
         }
         context.begin_routine(RoutineId(position as u32));
         let mut reader = RungReader::new(context, mnemonics, operands, findings, scope);
+        reader.find_labels(rungs);
         let mut list = Vec::with_capacity(rungs.len());
         for (number, rung) in rungs.iter().enumerate() {
             let before = reader.findings.len();

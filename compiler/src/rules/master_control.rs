@@ -1,0 +1,61 @@
+//! Zones of MCR. general-instructions.md A.8 (pairing decided).
+
+use twinrung_catalog::{Opcode, Position};
+
+use crate::diagnostic::{Finding, Findings};
+use crate::project::{Element, Project, Rung};
+
+rule! {
+    /// A zone of MCR that does not end as it should.
+    "S0607", Error, "a zone of MCR is not closed as it should be",
+    "A zone begins with an MCR behind a condition and ends with an unconditional MCR on the same routine; zones do not nest. A zone that stays open would silently disable what follows.",
+    "general-instructions.md A.8 (decided)",
+    good: sample!("    A, B : BOOL (Class := Safety);\n", "      N: XIC(A)MCR();\n      N: OTE(B);\n      N: MCR();\n"),
+    bad: sample!("    A, B : BOOL (Class := Safety);\n", "      N: XIC(A)<<MCR()>>;\n      N: OTE(B);\n")
+}
+
+/// The zones of every routine.
+pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    for routine in &project.routines {
+        let mut open = None;
+        for rung in &routine.rungs {
+            let mut spans = Vec::new();
+            rung.visit(&mut |instruction| {
+                if instruction.call.opcode() == Some(Opcode::Mcr) {
+                    spans.push(instruction.span);
+                }
+            });
+            let Some(span) = spans.first().copied() else { continue };
+            if let Some(second) = spans.get(1) {
+                let finding = Finding::new(&CODE, *second, "a second MCR on one rung");
+                findings.push(finding.help("write each MCR on a rung of its own"));
+            }
+            match (open, is_unconditional(rung)) {
+                (None, false) => open = Some(span),
+                (None, true) => {
+                    let finding = Finding::new(&CODE, span, "this MCR ends a zone that was not begun");
+                    findings.push(finding.help("begin the zone with an MCR behind a condition, or delete this one"));
+                }
+                (Some(_), true) => open = None,
+                (Some(first), false) => {
+                    let finding = Finding::new(&CODE, span, "a zone begins within a zone, or ends on a condition");
+                    let finding = finding.label(first, "the zone begins here");
+                    findings.push(finding.help("end the zone with an MCR alone on its rung"));
+                    open = None;
+                }
+            }
+        }
+        if let Some(span) = open {
+            let finding = Finding::new(&CODE, span, "the zone that begins here is not closed in this routine");
+            findings.push(finding.help("end it with an MCR alone on its rung"));
+        }
+    }
+}
+
+/// Whether nothing on the rung can make it false before its MCR.
+fn is_unconditional(rung: &Rung) -> bool {
+    rung.elements.iter().all(|element| match element {
+        Element::Instruction(instruction) => instruction.call.position() != Position::Input,
+        Element::Branch(_) => false,
+    })
+}
