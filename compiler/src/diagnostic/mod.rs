@@ -2,6 +2,7 @@
 
 mod codes;
 mod reading;
+mod remedy;
 mod table;
 
 pub use codes::*;
@@ -134,7 +135,10 @@ pub struct Findings {
 
 impl Findings {
     /// Adds one.
-    pub fn push(&mut self, finding: Finding) {
+    pub fn push(&mut self, mut finding: Finding) {
+        if finding.help.is_none() {
+            finding.help = remedy::remedy(finding.code.id).map(str::to_owned);
+        }
         self.errors += usize::from(finding.is_error());
         if self.list.len() < FINDINGS_MAX {
             self.list.push(finding);

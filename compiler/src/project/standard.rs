@@ -61,7 +61,9 @@ pub(crate) fn writes(
                         }
                         let end = operand.text.find(['.', '[']).unwrap_or(operand.text.len());
                         let Some(found) = names.find_in_standard(position, operand.text[..end].trim()) else { continue };
-                        if tags[found.tag.position()].class == TagClass::Safety {
+                        let tag = &tags[found.tag.position()];
+                        // An alias whose target is out of reach may be anything.
+                        if tag.class == TagClass::Safety && tag.fault.is_none() {
                             out.push(StandardWrite {
                                 tag: found.tag,
                                 span: operand.span,

@@ -1,8 +1,7 @@
 //! Who reads and writes what: every operand of every instruction as data that is read or written.
 
 use twinrung_bytecode::image::{TypeReference, Usage as Direction};
-use twinrung_bytecode::layout::elements;
-use twinrung_catalog::{Access, Element, OperandKind};
+use twinrung_catalog::{Opcode, OperandKind};
 use twinrung_grammar::tree::Span;
 
 use crate::operand::{BitPlace, LocationBase, Operand, Reference, Shape};
@@ -22,12 +21,8 @@ pub(crate) struct DataAccess<'a> {
     pub span: Span,
     /// What is accessed.
     pub reference: &'a Reference,
-    /// Whether it can be read.
-    pub reads: bool,
     /// Whether it can be written.
     pub writes: bool,
-    /// Elements from there on that are written.
-    pub elements: u32,
 }
 
 /// A cell, by what it counts from: comparable within one owner.
@@ -90,8 +85,8 @@ pub(crate) fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataA
             RoutineOwner::Program(_) => None,
         };
         for (at, one) in instruction.operands.iter().enumerate() {
-            let (reads, writes, count) = how(project, &in_out, instruction, at);
-            let mut give = |reference: &'a Reference, reads: bool, writes: bool| {
+            let writes = writes(project, &in_out, instruction, at);
+            let mut give = |reference: &'a Reference, writes: bool| {
                 visitor(&DataAccess {
                     instruction,
                     place,
@@ -99,17 +94,15 @@ pub(crate) fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataA
                     operand: at,
                     span: one.span,
                     reference,
-                    reads,
                     writes,
-                    elements: count,
                 });
             };
             match project.operand(one.id) {
                 Operand::Reference(reference) => {
-                    within(reference, &mut |inner| give(inner, true, false));
-                    give(reference, reads, writes);
+                    within(reference, &mut |inner| give(inner, false));
+                    give(reference, writes);
                 }
-                Operand::Expression(expression) => of_expression(expression, &mut |inner| give(inner, true, false)),
+                Operand::Expression(expression) => of_expression(expression, &mut |inner| give(inner, false)),
                 _ => {}
             }
         }
@@ -171,7 +164,7 @@ impl InOutWrites {
                         for (at, one) in instruction.operands.iter().enumerate() {
                             let Operand::Reference(reference) = project.operand(one.id) else { continue };
                             let LocationBase::InOut(parameter) = reference.location.base else { continue };
-                            let (_, writes, _) = how(project, &found, instruction, at);
+                            let writes = writes(project, &found, instruction, at);
                             if writes && !found.by_add_on[owner.position()][usize::from(parameter)] {
                                 added.push((owner, parameter));
                             }
@@ -189,54 +182,39 @@ impl InOutWrites {
     }
 }
 
-/// How an instruction uses its operand: reads it, writes it, and how many elements.
-fn how(project: &Project, in_out: &InOutWrites, instruction: &Instruction, at: usize) -> (bool, bool, u32) {
+/// Whether an instruction can write its operand.
+fn writes(project: &Project, in_out: &InOutWrites, instruction: &Instruction, at: usize) -> bool {
     let declaration = match instruction.call {
         Call::Catalog(declaration) => declaration,
         Call::AddOn(add_on) => {
             if at == 0 {
-                return (true, true, 1);
+                return true;
             }
-            let Some((position, parameter)) =
-                project.add_on(add_on).parameters.iter().enumerate().filter(|(_, one)| one.argument).nth(at - 1)
-            else {
-                return (true, true, 1);
-            };
-            return match parameter.usage {
-                Direction::Input => (true, false, 1),
-                Direction::Output => (false, true, 1),
-                Direction::InOut => {
-                    let writes = in_out.by_add_on[add_on.position()][position];
-                    (true, writes, elements(parameter.dimensions).unwrap_or(1))
-                }
-            };
+            let mut parameters = project.add_on(add_on).parameters.iter().enumerate().filter(|(_, one)| one.argument);
+            return parameters.nth(at - 1).is_none_or(|(position, parameter)| match parameter.usage {
+                Direction::Input => false,
+                Direction::Output => true,
+                Direction::InOut => in_out.by_add_on[add_on.position()][position],
+            });
         }
     };
-    let Some(declared) = declaration.operand(at) else { return (true, false, 1) };
-    let length = || match instruction.operands.get(2).map(|one| project.operand(one.id)) {
-        Some(Operand::Integer { value, .. }) => u32::try_from(*value).unwrap_or(1),
-        _ => 1,
-    };
-    let by = |access: Access| (access != Access::Write, access.writes(), 1);
+    let Some(declared) = declaration.operand(at) else { return false };
     match declared.kind {
         OperandKind::Bit(access)
         | OperandKind::Number(access)
         | OperandKind::Integer(access)
-        | OperandKind::Structure(_, access) => by(access),
-        OperandKind::SystemData(access) => (access != Access::Write, access.writes(), u32::MAX),
-        OperandKind::Resettable => (true, true, 1),
-        OperandKind::CopyDestination | OperandKind::FillDestination => (false, true, length()),
-        OperandKind::Parameter(access) => match declaration.opcode {
-            twinrung_catalog::Opcode::Jsr => {
-                let inputs = match instruction.operands.get(1).map(|one| project.operand(one.id)) {
-                    Some(Operand::Integer { value, .. }) => usize::try_from(*value).unwrap_or(0),
-                    _ => 0,
-                };
-                if at < 2 + inputs { (true, false, 1) } else { (false, true, 1) }
-            }
-            _ => by(access),
-        },
-        _ => (true, false, 1),
+        | OperandKind::Structure(_, access)
+        | OperandKind::SystemData(access) => access.writes(),
+        OperandKind::Resettable | OperandKind::CopyDestination | OperandKind::FillDestination => true,
+        OperandKind::Parameter(_) if declaration.opcode == Opcode::Jsr => {
+            let inputs = match instruction.operands.get(1).map(|one| project.operand(one.id)) {
+                Some(Operand::Integer { value, .. }) => usize::try_from(*value).unwrap_or(0),
+                _ => 0,
+            };
+            at >= 2 + inputs
+        }
+        OperandKind::Parameter(access) => access.writes(),
+        _ => false,
     }
 }
 
@@ -338,9 +316,4 @@ pub(crate) fn holds_safety_backing(project: &Project, reference: TypeReference) 
         return true;
     }
     project.types.record(index).members.iter().any(|member| holds_safety_backing(project, member.type_reference))
-}
-
-/// Whether an element is an integer.
-pub(crate) fn is_integer(element: Element) -> bool {
-    matches!(element, Element::Sint | Element::Int | Element::Dint)
 }

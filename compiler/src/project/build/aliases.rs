@@ -59,6 +59,11 @@ pub(super) fn resolve(
             if !in_chain.insert(id) {
                 let message = format!("the alias `{}` leads back to itself", tags[id.position()].name);
                 findings.push(Finding::new(&BAD_ALIAS, operand.span, message).help("name a tag that is no alias"));
+                // Reported: nobody who uses one of them says more about it.
+                for id in chain.drain(..) {
+                    tags[id.position()].class = TagClass::Safety;
+                    done.insert(id);
+                }
                 break;
             }
             chain.push(id);

@@ -1,0 +1,57 @@
+//! What the tests of this crate share; each of them uses a part.
+
+#![allow(dead_code)]
+
+use twinrung_bytecode::AdmittedImage;
+use twinrung_compiler::{Checked, CompiledImage, Completion, check, compile};
+use twinrung_grammar::Reading;
+use twinrung_grammar::tree::Sources;
+
+/// A project on a 1756-L73S: declarations, tags of the controller, rungs of the main routine, further routines.
+pub fn project(declarations: &str, tags: &str, rungs: &str, routines: &str) -> String {
+    let rungs: String = rungs.lines().map(|rung| format!("      N: {};\n", rung.trim())).collect();
+    format!(
+        "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n{declarations}  TAG\n{tags}\n  END_TAG\n  \
+         PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n{rungs}    END_ROUTINE\n{routines}  \
+         END_PROGRAM\n  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n    \
+         Safety_Main;\n  END_TASK\nEND_CONTROLLER\n"
+    )
+}
+
+/// Reads a text.
+pub fn read(sources: &mut Sources, name: &str, text: &str) -> Reading {
+    twinrung_grammar::read(sources, name, text.as_bytes().to_vec())
+}
+
+/// Findings of a check as lines.
+pub fn lines(sources: &Sources, checked: &Checked) -> String {
+    checked
+        .findings
+        .iter()
+        .map(|finding| {
+            let place = sources.line_column(finding.span);
+            format!("{}:{} {} {}\n", place.line, place.column, finding.code.id, finding.message)
+        })
+        .collect()
+}
+
+/// Compiles a text that has no errors.
+pub fn image(text: &str) -> CompiledImage {
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", text);
+    let checked = check(&reading, &Completion::default());
+    let shown = lines(&sources, &checked);
+    let project = checked.project.unwrap_or_else(|| panic!("refused:\n{shown}\n{text}"));
+    compile(&project).unwrap_or_else(|finding| panic!("{}", finding.message))
+}
+
+/// Compiles a text and lets the loader verify the image.
+pub fn admitted(text: &str) -> AdmittedImage {
+    let compiled = image(text);
+    twinrung_bytecode::admit(&compiled.bytes).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// The canonical text of the first routine.
+pub fn text_of(image: &AdmittedImage, routine: &str) -> String {
+    image.image().routines.iter().find(|one| one.name == routine).unwrap().text.clone()
+}
