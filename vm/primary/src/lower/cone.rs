@@ -21,7 +21,9 @@ pub(crate) enum Join {
     Or,
 }
 
-/// The value of the first input, for each combination.
+/// The value of each input, for each combination.
+const VARIABLES: [u16; INPUTS] = [FIRST, 0xCCCC, 0xF0F0, 0xFF00];
+/// That of the first.
 const FIRST: u16 = 0xAAAA;
 
 impl Cone {
@@ -68,18 +70,31 @@ impl Cone {
             };
             *place = position as u32;
         }
-        let mut spread = 0u16;
-        for combination in 0..16u32 {
-            let mut index = 0u32;
-            for (bit, place) in places.iter().enumerate().take(other.count) {
-                index |= (combination.wrapping_shr(*place) & 1).wrapping_shl(bit as u32);
+        let spread = match (other.count, places) {
+            // A literal; a constant with an input left over is spread like any other function.
+            (1, [place, ..]) if other.table == FIRST || other.table == !FIRST => {
+                let variable = VARIABLES.get(place as usize).copied().unwrap_or(0);
+                if other.table == FIRST { variable } else { !variable }
             }
-            spread |= (other.table.wrapping_shr(index) & 1).wrapping_shl(combination);
-        }
+            _ => other.spread(places),
+        };
         joined.table = match join {
             Join::And => self.table & spread,
             Join::Or => self.table | spread,
         };
         Some(joined)
+    }
+
+    /// The table with each input at another place.
+    fn spread(&self, places: [u32; INPUTS]) -> u16 {
+        let mut spread = 0u16;
+        for combination in 0..16u32 {
+            let mut index = 0u32;
+            for (bit, place) in places.iter().enumerate().take(self.count) {
+                index |= (combination.wrapping_shr(*place) & 1).wrapping_shl(bit as u32);
+            }
+            spread |= (self.table.wrapping_shr(index) & 1).wrapping_shl(combination);
+        }
+        spread
     }
 }

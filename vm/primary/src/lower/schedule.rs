@@ -38,6 +38,8 @@ pub(crate) struct Scheduler {
     successors: Vec<(u32, u32)>,
     heads: Vec<u32>,
     waiting: Vec<u32>,
+    /// The cells of one piece of work.
+    touched: Vec<Resource>,
     /// Most scratch cells that any block needs.
     pub(crate) scratch: u32,
 }
@@ -78,9 +80,10 @@ impl Scheduler {
     }
 
     fn depend(&mut self, index: u32, work: &Work) {
-        let mut read = Vec::new();
-        work.reads(|resource| read.push(resource));
-        for resource in read {
+        let mut touched = core::mem::take(&mut self.touched);
+        touched.clear();
+        work.reads(|resource| touched.push(resource));
+        for resource in touched.drain(..) {
             let entry = self.entry(resource);
             let position = self.readers.len() as u32;
             let Some(known) = self.known.get_mut(entry) else { continue };
@@ -89,9 +92,8 @@ impl Scheduler {
             known.readers = position;
             self.edge(writer, index);
         }
-        let mut written = Vec::new();
-        work.writes(|resource| written.push(resource));
-        for resource in written {
+        work.writes(|resource| touched.push(resource));
+        for resource in touched.drain(..) {
             let entry = self.entry(resource);
             let Some(known) = self.known.get_mut(entry) else { continue };
             let (writer, mut reader) = (known.writer, known.readers);
@@ -109,6 +111,7 @@ impl Scheduler {
                 reader = next;
             }
         }
+        self.touched = touched;
     }
 
     /// Orders a block and appends its records. Gives the range of its runs.
@@ -177,10 +180,11 @@ impl Scheduler {
         }
         let mut cells: Vec<u32> = vec![NONE; virtuals as usize];
         let mut free: Vec<u32> = Vec::new();
+        let mut ended: Vec<u32> = Vec::new();
         let mut count = 0u32;
         for (position, index) in order.iter().enumerate() {
             let Some(work) = block.get_mut(*index as usize) else { continue };
-            let mut ended: Vec<u32> = Vec::new();
+            ended.clear();
             let mut cell_of = |signal: u32| -> u32 {
                 if signal < VIRTUAL || signal == NONE {
                     return signal;

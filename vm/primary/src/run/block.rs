@@ -172,21 +172,24 @@ fn select(condition: bool, yes: i32, no: i32) -> i32 {
 /// the scan goes by codes otherwise.
 fn timers<const KIND: u8>(machine: &mut Machine, now: i64, records: &[TimerRecord]) {
     for record in records {
-        let (word, bit) = (record.word, record.bit);
-        let (accumulated_cell, timing_cell, done_cell) =
-            (word.saturating_add(1), bit.saturating_add(1), bit.saturating_add(2));
         let input = machine.bit(record.input);
-        let (enabled, done) = (machine.bit(bit), machine.bit(done_cell));
-        let (preset, accumulated) = (machine.word(word), machine.word(accumulated_cell));
-        let hidden = machine.hidden(word);
+        let bits = machine.bits.get_mut(record.bit as usize..).and_then(|bits| bits.first_chunk_mut::<3>());
+        let words = machine.words.get_mut(record.word as usize..).and_then(|words| words.first_chunk_mut::<2>());
+        let hidden = machine.hidden.get_mut((record.word / 2) as usize);
+        let (Some([enabled_cell, timing_cell, done_cell]), Some([preset, accumulated]), Some(hidden)) =
+            (bits, words, hidden)
+        else {
+            continue;
+        };
+        let (enabled, done) = (*enabled_cell != 0, *done_cell != 0);
         // For TOF the roles of true and false, and of DN set and clear, are exchanged.
         let inverted = KIND == OFF;
         let active = input != inverted;
         let timing = active & (done == inverted);
         let stepping = timing & (enabled != inverted);
-        let advanced = advanced(accumulated, now.saturating_sub(hidden));
-        let finished = stepping & (advanced >= preset);
-        let stepped = select(stepping, advanced, accumulated);
+        let advanced = advanced(*accumulated as i32, now.saturating_sub(*hidden));
+        let finished = stepping & (advanced >= *preset as i32);
+        let stepped = select(stepping, advanced, *accumulated as i32);
         let (next_done, next_accumulated) = match KIND {
             ON => (active & (done | finished), select(active, stepped, 0)),
             OFF => (!active | (done & !finished), select(active, stepped, 0)),
@@ -194,11 +197,11 @@ fn timers<const KIND: u8>(machine: &mut Machine, now: i64, records: &[TimerRecor
         };
         let records_time = if inverted { timing } else { active };
         let mask = i64::from(records_time).wrapping_neg();
-        machine.put_bit(bit, input);
-        machine.put_bit(timing_cell, timing & !finished);
-        machine.put_bit(done_cell, next_done);
-        machine.put_word(accumulated_cell, next_accumulated as u32);
-        machine.put_hidden(word, (now & mask) | (hidden & !mask));
+        *enabled_cell = u8::from(input);
+        *timing_cell = u8::from(timing & !finished);
+        *done_cell = u8::from(next_done);
+        *accumulated = next_accumulated as u32;
+        *hidden = (now & mask) | (*hidden & !mask);
     }
 }
 
@@ -214,8 +217,9 @@ fn moves(machine: &mut Machine, records: &[ArithmeticRecord]) -> u32 {
     for record in records {
         let input = machine.bit(record.input);
         let value = machine.word(record.left);
-        let kept = select(input, value, machine.word(record.destination));
-        machine.put_word(record.destination, kept as u32);
+        if let Some(destination) = machine.words.get_mut(record.destination as usize) {
+            *destination = select(input, value, *destination as i32) as u32;
+        }
         last = last.max(select(input, flags(record.order, value) as i32, 0) as u32);
     }
     last
@@ -231,8 +235,9 @@ fn arithmetic(
     for record in records {
         let input = machine.bit(record.input);
         let (value, overflow, carry) = operation(machine.word(record.left), machine.word(record.right));
-        let kept = select(input, value, machine.word(record.destination));
-        machine.put_word(record.destination, kept as u32);
+        if let Some(destination) = machine.words.get_mut(record.destination as usize) {
+            *destination = select(input, value, *destination as i32) as u32;
+        }
         let flags = flags(record.order, value) | u32::from(overflow) | u32::from(carry).wrapping_mul(CARRY);
         last = last.max(select(input, flags as i32, 0) as u32);
         overflows = overflows.saturating_add(u32::from(input & overflow));
