@@ -51,7 +51,7 @@ pub(super) fn resolve(
     let mut done: Set<TagId> = Set::default();
     for (first, _) in pending {
         // The chain from this alias to the first tag that is none, or is resolved.
-        let mut chain = Vec::new();
+        let mut chain: Vec<TagId> = Vec::new();
         let mut in_chain: Set<TagId> = Set::default();
         let mut next = Some(*first);
         while let Some(id) = next {
