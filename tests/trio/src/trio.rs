@@ -125,6 +125,14 @@ impl<'s> Trio<'s> {
         self.primary.status()
     }
 
+    /// How often EVENT triggered a task in the last scan, after the three were found equal. Panics when no EVENT names it.
+    pub fn events(&self, task: &str) -> u32 {
+        let tasks = &self.subject.image.image().event_tasks;
+        let index = tasks.iter().position(|name| name.eq_ignore_ascii_case(task));
+        let index = index.unwrap_or_else(|| panic!("no EVENT names the task `{task}`"));
+        self.primary.events(EventTaskIndex(index as u16))
+    }
+
     /// Prescans all three.
     ///
     /// # Errors
