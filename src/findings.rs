@@ -45,7 +45,7 @@ pub fn print_human(
     notes: bool,
 ) -> io::Result<()> {
     let theme = if terminal.colour { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-    let handler = GraphicalReportHandler::new_themed(theme).with_width(terminal.columns).with_context_lines(0);
+    let handler = GraphicalReportHandler::new_themed(theme).with_width(terminal.columns).with_context_lines(1);
     for finding in findings.iter().filter(|finding| notes || finding.severity != Severity::Note) {
         let mut text = String::new();
         handler.render_report(&mut text, &Report::new(sources, finding)).map_err(io::Error::other)?;

@@ -34,7 +34,7 @@ pub struct Run {
     /// What drives the inputs; in a folder, its stimulus.csv where this is not given
     #[arg(long, value_name = "CSV")]
     stimulus: Option<PathBuf>,
-    /// What to record: names, or @FILE with one name on each line
+    /// What to record: names, or @FILE with one name on each line; in a folder, its record.txt where this is not given
     #[arg(long, value_name = "TAG,TAG|@LIST")]
     record: Option<String>,
     /// Where to write the recording
@@ -70,8 +70,10 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
     let Some(loaded) = loaded(arguments, terminal)? else { return Ok(ExitCode::from(REFUSED)) };
     input::expect(&loaded, arguments.expect.as_deref()).map_err(failed)?;
     let stimulus = stimulus(arguments)?;
+    let beside = arguments.file.join("record.txt");
     let names = match &arguments.record {
         Some(list) => listed(list)?,
+        None if beside.is_file() => listed(&format!("@{}", beside.display()))?,
         None => default_names(&loaded.image, stimulus.as_ref(), DIAGRAM_ROWS),
     };
     let signature = short_form(loaded.image.application_signature());

@@ -1,0 +1,11 @@
+//! Tests of the whole: from files to recordings, through every crate. One binary, since linking is what takes time.
+
+mod bench_mixes;
+mod corpus;
+mod house;
+mod image_bits;
+mod plant_program;
+mod refused;
+mod samples;
+mod support;
+mod wrong_instruction;
