@@ -31,9 +31,9 @@ impl std::error::Error for LibraryError {}
 /// The findings that are errors, placed.
 pub fn compile_library(sources: &[(&str, &str)]) -> Result<Vec<u8>, LibraryError> {
     let project = check_library(sources)?;
-    compile(&project).map(|compiled| compiled.bytes).map_err(|finding| LibraryError {
-        lines: vec![format!("{} {}", finding.code.id, finding.message)],
-    })
+    compile(&project)
+        .map(|compiled| compiled.bytes)
+        .map_err(|finding| LibraryError { lines: vec![format!("{} {}", finding.code.id, finding.message)] })
 }
 
 /// Checks such files; what an evaluator walks that executes a library as trees.

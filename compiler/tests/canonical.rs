@@ -32,15 +32,14 @@ fn survives(name: &str, text: &str) {
         .iter()
         .enumerate()
         .map(|(at, routine)| {
-            let owner = twinrung_bytecode::text::routine_name(
-                image.image(),
-                twinrung_bytecode::index::RoutineIndex(at as u32),
-            );
+            let owner =
+                twinrung_bytecode::text::routine_name(image.image(), twinrung_bytecode::index::RoutineIndex(at as u32));
             (owner, routine.text.clone())
         })
         .collect();
     let mut again = |owner: &str, routine: &mut twinrung_grammar::tree::Routine| {
-        let Some((_, text)) = texts.iter().find(|(name, _)| name.eq_ignore_ascii_case(&format!("{owner}/{}", routine.name)))
+        let Some((_, text)) =
+            texts.iter().find(|(name, _)| name.eq_ignore_ascii_case(&format!("{owner}/{}", routine.name)))
         else {
             return;
         };
@@ -60,7 +59,8 @@ fn survives(name: &str, text: &str) {
     }
     let checked = check(&reading, &Completion::default());
     let shown = lines(&sources, &checked);
-    let second = compile(&checked.project.unwrap_or_else(|| panic!("{name} from its canonical text:\n{shown}"))).unwrap();
+    let second =
+        compile(&checked.project.unwrap_or_else(|| panic!("{name} from its canonical text:\n{shown}"))).unwrap();
     assert!(first.bytes == second.bytes, "{name}: another image from the canonical text");
 }
 

@@ -94,7 +94,12 @@ fn instructions_when_of_every_base_kind_then_printed_as_written() {
 
 #[test]
 fn newer_mnemonics_when_read_then_printed_as_the_classic_ones() {
-    let image = admitted(&project("", "    A, B : DINT (Class := Safety);\n    X : BOOL (Class := Safety);", "EQ(A,B)GE(A,1)OTE(X)\nMOVE(A,B)", ""));
+    let image = admitted(&project(
+        "",
+        "    A, B : DINT (Class := Safety);\n    X : BOOL (Class := Safety);",
+        "EQ(A,B)GE(A,1)OTE(X)\nMOVE(A,B)",
+        "",
+    ));
     assert_eq!(text_of(&image, "Main"), "EQU(A,B)GEQ(A,1)OTE(X);\nMOV(A,B);\n");
 }
 
@@ -109,7 +114,8 @@ fn option_words_when_written_as_numbers_or_in_quotes_then_one_image() {
     let tags = "    E : DCI_STOP (Class := Safety);\n    A, B, S, R : BOOL (Class := Safety);";
     let words = image(&project("", tags, "DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,B,S,R)", ""));
     let numbers = image(&project("", tags, "DCS(E,1,0,500,0,0,A,B,S,R)", ""));
-    let quoted = image(&project("", tags, "DCS(E,'E-STOP','EQUIVALENT - ACTIVE HIGH',500,'MANUAL','MANUAL',A,B,S,R)", ""));
+    let quoted =
+        image(&project("", tags, "DCS(E,'E-STOP','EQUIVALENT - ACTIVE HIGH',500,'MANUAL','MANUAL',A,B,S,R)", ""));
     assert_eq!(words.bytes, numbers.bytes);
     assert_eq!(words.bytes, quoted.bytes);
 }
@@ -207,7 +213,8 @@ fn subroutines_when_parameters_of_every_kind_pass_then_admitted() {
 
 #[test]
 fn jumps_when_forward_with_labels_in_another_case_then_admitted() {
-    let image = admitted(&project("", "    A, B : BOOL (Class := Safety);", "XIC(A)JMP(SKIP)\nOTE(B)\nLBL(Skip)NOP()", ""));
+    let image =
+        admitted(&project("", "    A, B : BOOL (Class := Safety);", "XIC(A)JMP(SKIP)\nOTE(B)\nLBL(Skip)NOP()", ""));
     assert_eq!(text_of(&image, "Main"), "XIC(A)JMP(Skip);\nOTE(B);\nLBL(Skip)NOP();\n");
 }
 
@@ -261,12 +268,22 @@ fn initial_values_when_of_every_type_then_in_the_cells() {
 
 #[test]
 fn declarations_when_in_another_order_then_the_same_bytes() {
-    let first = image(&project(TYPES, "    A : BOOL (Class := Safety);\n    B : Cell_T (Class := Safety);", "XIC(A)OTE(B.Axes[0].Homed)", ""));
+    let first = image(&project(
+        TYPES,
+        "    A : BOOL (Class := Safety);\n    B : Cell_T (Class := Safety);",
+        "XIC(A)OTE(B.Axes[0].Homed)",
+        "",
+    ));
     let swapped: String = {
         let mut parts: Vec<&str> = TYPES.split_inclusive("END_DATATYPE\n").collect();
         parts.reverse();
         parts.concat()
     };
-    let second = image(&project(&swapped, "    B : Cell_T (Class := Safety);\n    A : BOOL (Class := Safety);", "XIC(A)OTE(B.Axes[0].Homed)", ""));
+    let second = image(&project(
+        &swapped,
+        "    B : Cell_T (Class := Safety);\n    A : BOOL (Class := Safety);",
+        "XIC(A)OTE(B.Axes[0].Homed)",
+        "",
+    ));
     assert_eq!(first.bytes, second.bytes);
 }

@@ -14,8 +14,7 @@ fn refused(marked: &str, codes: &[&str]) {
     let checked = check(&reading, &Completion::default());
     let shown = lines(&sources, &checked);
     let errors: Vec<_> = checked.findings.iter().filter(|finding| finding.is_error()).collect();
-    let found: Vec<(&str, &str)> =
-        errors.iter().map(|finding| (finding.code.id, sources.text(finding.span))).collect();
+    let found: Vec<(&str, &str)> = errors.iter().map(|finding| (finding.code.id, sources.text(finding.span))).collect();
     let marks: Vec<&str> = marked.split("<<").skip(1).map(|rest| rest.split(">>").next().unwrap()).collect();
     let expected: Vec<(&str, &str)> = codes.iter().copied().zip(marks).collect();
     assert_eq!(found, expected, "{shown}");
@@ -30,7 +29,11 @@ const TAGS: &str = "    A, B : DINT (Class := Safety);\n    V : DINT[4] (Class :
 
 #[test]
 fn names_when_unknown_then_each_is_reported_once_with_a_suggestion() {
-    on_rungs(TAGS, "XIC(<<Z_Tag>>)OTE(Y)\nXIC(T.<<DM>>)OTE(Y)\nJSR(<<Nowhere>>,0)\nXIC(X)JMP(<<Nolabel>>)", &["E0201", "E0202", "E0204", "E0205"]);
+    on_rungs(
+        TAGS,
+        "XIC(<<Z_Tag>>)OTE(Y)\nXIC(T.<<DM>>)OTE(Y)\nJSR(<<Nowhere>>,0)\nXIC(X)JMP(<<Nolabel>>)",
+        &["E0201", "E0202", "E0204", "E0205"],
+    );
 }
 
 #[test]
@@ -72,12 +75,12 @@ fn declarations_when_faulty_then_uses_of_them_are_not_reported_again() {
 #[test]
 fn names_when_not_admitted_then_reported() {
     on_rungs("    <<A__B>> : BOOL (Class := Safety);\n    X : BOOL (Class := Safety);", "OTE(X)", &["E0207"]);
-    on_rungs("    L OF M;\n    M OF <<L>>;\n    X : BOOL (Class := Safety);", "OTE(X)", &["E0210"]);
+    on_rungs("    L OF <<M>>;\n    M OF L;\n    X : BOOL (Class := Safety);", "OTE(X)", &["E0210"]);
 }
 
 #[test]
 fn aliases_when_in_a_circle_then_reported_once_and_uses_are_not() {
-    on_rungs("    L OF M;\n    M OF <<L>>;\n    X : BOOL (Class := Safety);", "XIC(L)OTE(X)", &["E0210"]);
+    on_rungs("    L OF <<M>>;\n    M OF L;\n    X : BOOL (Class := Safety);", "XIC(L)OTE(X)", &["E0210"]);
 }
 
 #[test]

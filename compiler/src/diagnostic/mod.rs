@@ -85,7 +85,7 @@ pub struct Finding {
     /// The way out.
     pub help: Option<String>,
     /// The rung that it is about.
-    pub rung: Option<RungPlace>,
+    pub rung: Option<Box<RungPlace>>,
 }
 
 impl Finding {
@@ -153,7 +153,7 @@ impl Findings {
             // The fault of a declaration that a rung uses stands where it was declared.
             let here = finding.span.source == span.source && (span.start..=span.end).contains(&finding.span.start);
             if here {
-                finding.rung = Some(RungPlace { routine: routine.to_owned(), rung, span });
+                finding.rung = Some(Box::new(RungPlace { routine: routine.to_owned(), rung, span }));
             }
         }
     }

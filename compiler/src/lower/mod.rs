@@ -61,11 +61,8 @@ fn defect(project: &Project, error: &ImageError) -> Finding {
 /// The records of the image, unsealed.
 pub(crate) fn build(project: &Project) -> Result<(Image, Order), ImageError> {
     let order = Order::of(project);
-    let mut image = Image {
-        controller: records::controller(project),
-        types: records::types(project, &order),
-        ..Image::default()
-    };
+    let mut image =
+        Image { controller: records::controller(project), types: records::types(project, &order), ..Image::default() };
     records::tags(project, &order, &mut image);
     let mut operands = operands::Interner::new(project, &order, &image);
     records::aliases(project, &order, &mut operands, &mut image);

@@ -36,15 +36,17 @@ impl Order {
             program_index[program.position()] = ProgramIndex(index as u16);
         }
         let add_ons = add_ons(project);
-        let add_on_index = inverse(project.add_ons.len(), add_ons.iter().map(|id| id.position()), |at| AddOnIndex(at as u16));
+        let add_on_index =
+            inverse(project.add_ons.len(), add_ons.iter().map(|id| id.position()), |at| AddOnIndex(at as u16));
         let tags = tags(project, &program_index);
         let tag_index = inverse(project.tags.len(), tags.iter().map(|id| id.position()), |at| TagIndex(at as u32));
         let routines = routines(project, &program_index, &add_on_index);
         let routine_index =
             inverse(project.routines.len(), routines.iter().map(|id| id.position()), |at| RoutineIndex(at as u32));
         let types = types(project, &tags);
-        let type_index =
-            inverse(project.types.records().len(), types.iter().map(|index| index.position()), |at| TypeIndex(at as u16));
+        let type_index = inverse(project.types.records().len(), types.iter().map(|index| index.position()), |at| {
+            TypeIndex(at as u16)
+        });
         Order {
             types,
             type_index,

@@ -94,7 +94,9 @@ pub(super) fn add_ons(project: &Project, order: &Order) -> Vec<AddOnRecord> {
         usage: parameter.usage,
         type_reference: parameter
             .type_reference
-            .map_or(TypeReference::Element(twinrung_catalog::Element::Bool), |reference| order.type_reference(reference)),
+            .map_or(TypeReference::Element(twinrung_catalog::Element::Bool), |reference| {
+                order.type_reference(reference)
+            }),
         dimensions: parameter.dimensions,
         argument: parameter.argument,
         member: parameter.member,

@@ -10,8 +10,7 @@ use super::reference::{self, Reference, Shape, describe_reference, type_text};
 use super::{Literal, Operand, Scope, literal_of, system};
 use crate::diagnostic::{
     BROKEN_OPERAND, Finding, OPERAND_TYPE, SUBSCRIPT_RANGE, UNKNOWN_CHOICE, UNKNOWN_EVENT_TASK, UNKNOWN_LABEL,
-    UNKNOWN_ROUTINE,
-    VALUE_RANGE,
+    UNKNOWN_ROUTINE, VALUE_RANGE,
 };
 use crate::names::{closest, fold};
 use crate::project::reading::{Refusal, RungReader};
@@ -30,28 +29,28 @@ pub(crate) fn operand(
     let simple = |reader: &mut RungReader<'_, '_>, operand: Operand| Ok(reader.operands.add(operand));
     match kind {
         OperandKind::Bit(access) => {
-            if access == Access::Read {
-                if let Some(keyword) = status_keyword(&shown.text) {
-                    return simple(reader, Operand::Status(keyword));
-                }
+            if access == Access::Read
+                && let Some(keyword) = status_keyword(&shown.text)
+            {
+                return simple(reader, Operand::Status(keyword));
             }
             let id = reference_operand(reader, shown, access.writes())?;
             check(reader, id, name, shown.span, "a BOOL or a bit of an integer", is_bit)
         }
         OperandKind::Number(access) => {
-            if access == Access::Read {
-                if let Some(id) = literal_operand(reader, shown)? {
-                    return Ok(id);
-                }
+            if access == Access::Read
+                && let Some(id) = literal_operand(reader, shown)?
+            {
+                return Ok(id);
             }
             let id = reference_operand(reader, shown, access.writes())?;
             check(reader, id, name, shown.span, "SINT, INT, DINT or REAL", is_word)
         }
         OperandKind::Integer(access) => {
-            if access == Access::Read {
-                if let Some(id) = literal_operand(reader, shown)? {
-                    return integer_literal(reader, id, shown.span, name);
-                }
+            if access == Access::Read
+                && let Some(id) = literal_operand(reader, shown)?
+            {
+                return integer_literal(reader, id, shown.span, name);
             }
             let id = reference_operand(reader, shown, access.writes())?;
             check(reader, id, name, shown.span, "SINT, INT or DINT", is_integer)
@@ -61,9 +60,17 @@ pub(crate) fn operand(
             let reference = reader.reference(id);
             let fits = reference.is_some_and(|reference| {
                 reference.dimensions == [0; 3]
-                    && reader.context.types.predefined(reference.type_reference).is_some_and(|known| known.name == wanted.name)
+                    && reader
+                        .context
+                        .types
+                        .predefined(reference.type_reference)
+                        .is_some_and(|known| known.name == wanted.name)
             });
-            if fits { Ok(id) } else { Err(wrong_type(reader, id, name, shown.span, &format!("a tag of type {}", wanted.name))) }
+            if fits {
+                Ok(id)
+            } else {
+                Err(wrong_type(reader, id, name, shown.span, &format!("a tag of type {}", wanted.name)))
+            }
         }
         OperandKind::Resettable => {
             let id = reference_operand(reader, shown, true)?;
@@ -172,10 +179,10 @@ pub(crate) fn operand(
             in_range(reader, id, 0, limits::JSR_PARAMETERS as i32, shown.span, name)
         }
         OperandKind::Parameter(access) => {
-            if access == Access::Read {
-                if let Some(id) = literal_operand(reader, shown)? {
-                    return Ok(id);
-                }
+            if access == Access::Read
+                && let Some(id) = literal_operand(reader, shown)?
+            {
+                return Ok(id);
             }
             let id = reference_operand(reader, shown, access.writes())?;
             check(reader, id, name, shown.span, "a BOOL, a number or a structure", |_| true)
@@ -272,7 +279,8 @@ pub(crate) fn operand(
                 return Ok(reader.operands.add(Operand::Real(value.to_bits())));
             }
             let id = reference_operand(reader, shown, false)?;
-            let real = |reference: &Reference| reference.shape() == Shape::Word && reference.element() == Some(Element::Real);
+            let real =
+                |reference: &Reference| reference.shape() == Shape::Word && reference.element() == Some(Element::Real);
             check(reader, id, name, shown.span, "REAL", real)
         }
     }
@@ -288,8 +296,7 @@ pub(crate) fn read_instance(
     let declared = &reader.context.add_ons[add_on.position()];
     let Some(instance_type) = declared.instance_type else { return Err(Refusal::Reported) };
     let Some(reference) = reader.reference(id) else { return Err(Refusal::Reported) };
-    let fits =
-        reference.type_reference == TypeReference::Structure(instance_type) && reference.dimensions == [0; 3];
+    let fits = reference.type_reference == TypeReference::Structure(instance_type) && reference.dimensions == [0; 3];
     if !fits {
         return Err(wrong_type(reader, id, "the instance", shown.span, &format!("a tag of type {}", declared.name)));
     }
@@ -325,14 +332,12 @@ pub(crate) fn read_argument(
         return Ok(id);
     }
     let reads = parameter.usage == Usage::Input;
-    if reads {
-        if let Some(id) = literal_operand(reader, shown)? {
-            if wanted == TypeReference::Element(Element::Bool) && !matches!(reader.integer(id), Some(0 | 1)) {
-                let message = format!("{name} is a BOOL: {} is neither 0 nor 1", shown.text);
-                return Err(Finding::new(&OPERAND_TYPE, shown.span, message).into());
-            }
-            return Ok(id);
+    if reads && let Some(id) = literal_operand(reader, shown)? {
+        if wanted == TypeReference::Element(Element::Bool) && !matches!(reader.integer(id), Some(0 | 1)) {
+            let message = format!("{name} is a BOOL: {} is neither 0 nor 1", shown.text);
+            return Err(Finding::new(&OPERAND_TYPE, shown.span, message).into());
         }
+        return Ok(id);
     }
     let id = reference_operand(reader, shown, !reads)?;
     match wanted {
@@ -477,7 +482,7 @@ fn is_integer(reference: &Reference) -> bool {
 }
 
 fn status_keyword(text: &str) -> Option<u8> {
-    if !text.as_bytes().get(1).is_some_and(|byte| *byte == b':') {
+    if text.as_bytes().get(1).is_none_or(|byte| *byte != b':') {
         return None;
     }
     format::STATUS_KEYWORDS.iter().position(|keyword| keyword.eq_ignore_ascii_case(text)).map(|at| at as u8)
@@ -527,9 +532,9 @@ fn routine(reader: &mut RungReader<'_, '_>, shown: &tree::Operand) -> Result<Ope
     }
     let message = format!("the program has no routine `{}`", shown.text);
     let finding = Finding::new(&UNKNOWN_ROUTINE, shown.span, message);
-    let like = reader.context.suggest(|| {
-        closest(&shown.text, names.values().map(|(_, name)| name.as_str())).map(str::to_owned)
-    });
+    let like = reader
+        .context
+        .suggest(|| closest(&shown.text, names.values().map(|(_, name)| name.as_str())).map(str::to_owned));
     Err(match like {
         Some(like) => finding.help(format!("did you mean `{like}`?")),
         None => finding.help("JSR calls a ladder routine of the same program"),
@@ -537,11 +542,15 @@ fn routine(reader: &mut RungReader<'_, '_>, shown: &tree::Operand) -> Result<Ope
     .into())
 }
 
-fn choice(reader: &mut RungReader<'_, '_>, list: &'static ChoiceList, shown: &tree::Operand) -> Result<OperandId, Refusal> {
+fn choice(
+    reader: &mut RungReader<'_, '_>,
+    list: &'static ChoiceList,
+    shown: &tree::Operand,
+) -> Result<OperandId, Refusal> {
     let unquoted = shown.text.trim_matches(|c| c == '\'' || c == '"');
-    let value = list.value(unquoted).or_else(|| {
-        twinrung_grammar::read_words(shown).ok().and_then(|words| list.value(&words.text))
-    });
+    let value = list
+        .value(unquoted)
+        .or_else(|| twinrung_grammar::read_words(shown).ok().and_then(|words| list.value(&words.text)));
     if let Some(value) = value {
         return Ok(reader.operands.add(Operand::Choice(value)));
     }

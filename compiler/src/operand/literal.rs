@@ -36,9 +36,7 @@ pub(crate) fn literal_of(immediate: &Immediate) -> Result<Literal, Refusal> {
         }
         Number::Real { bits } if f32::from_bits(*bits).is_finite() => Ok(Literal::Real(*bits)),
         Number::Real { .. } => refuse(&VALUE_RANGE, format!("{text} is beyond the range of REAL")),
-        Number::Special { .. } => {
-            refuse(&VALUE_RANGE, format!("{text} is no number; logic takes finite values only"))
-        }
+        Number::Special { .. } => refuse(&VALUE_RANGE, format!("{text} is no number; logic takes finite values only")),
         Number::Ascii(_) => refuse(&OPERAND_TYPE, "characters are no number in safety logic".to_owned()),
     }
 }

@@ -6,11 +6,11 @@ mod literal;
 mod reference;
 mod system;
 
+pub(crate) use expression::ExpressionKind;
 pub use expression::{BinaryOperator, Expression, UnaryOperator};
 pub(crate) use fit::{operand as read, read_argument, read_instance};
 pub(crate) use literal::{Literal, literal_of};
 pub use reference::{BitPlace, Location, LocationBase, Reference, Root, Shape, Step, Subscript, Term};
-pub(crate) use expression::ExpressionKind;
 pub(crate) use reference::{Scope, Walk, alias_target};
 pub use system::{SystemInstance, SystemValue};
 

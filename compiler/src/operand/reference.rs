@@ -326,7 +326,10 @@ fn step(
             if let TypeKind::AddOn(add_on) = context.types.record(index).kind {
                 let held = &context.add_ons[usize::from(add_on.0)].parameters;
                 if usize::from(position) >= held.iter().filter(|parameter| parameter.member.is_some()).count() {
-                    let message = format!("`{name}` is a local tag of {}, which nobody else sees", context.types.record(index).name);
+                    let message = format!(
+                        "`{name}` is a local tag of {}, which nobody else sees",
+                        context.types.record(index).name
+                    );
                     return Err(Finding::new(&UNKNOWN_MEMBER, name.span, message)
                         .help("make it an Output parameter of the Add-On Instruction")
                         .into());
@@ -377,8 +380,7 @@ fn step(
 
 fn unknown_member(context: &Context<'_>, index: twinrung_bytecode::index::TypeIndex, name: &tree::Name) -> Finding {
     let record = context.types.record(index);
-    let finding =
-        Finding::new(&UNKNOWN_MEMBER, name.span, format!("{} has no member `{name}`", record.name));
+    let finding = Finding::new(&UNKNOWN_MEMBER, name.span, format!("{} has no member `{name}`", record.name));
     let members = || record.members.iter().map(|member| member.name.as_str());
     match context.suggest(|| closest(name.as_str(), members()).map(str::to_owned)) {
         Some(like) => finding.help(format!("did you mean `{like}`?")),

@@ -99,10 +99,11 @@ pub(crate) fn attribute(
     if writes && !attribute.writable {
         return Err(rules::system_attribute::read_only(attribute, shown.span).into());
     }
-    if let Some(profile) = context.profile {
-        if attribute.requires != twinrung_catalog::Requires::Any && !rules::admission::offers(profile, attribute.requires) {
-            return Err(rules::system_attribute::not_here(attribute, profile, shown.span).into());
-        }
+    if let Some(profile) = context.profile
+        && attribute.requires != twinrung_catalog::Requires::Any
+        && !rules::admission::offers(profile, attribute.requires)
+    {
+        return Err(rules::system_attribute::not_here(attribute, profile, shown.span).into());
     }
     let this = instance == "THIS";
     let own = match scope {

@@ -85,11 +85,11 @@ impl Defaults {
         let (bits, words) = types.cells(type_reference);
         let count = elements(dimensions).unwrap_or(1);
         let mut region = Region::zeros(bits * count, words * count);
-        if let TypeReference::Structure(index) = type_reference {
-            if let Some(default) = self.structure(types, index).cloned() {
-                for number in 0..count {
-                    region.put(&default, number * bits, number * words);
-                }
+        if let TypeReference::Structure(index) = type_reference
+            && let Some(default) = self.structure(types, index).cloned()
+        {
+            for number in 0..count {
+                region.put(&default, number * bits, number * words);
             }
         }
         region
@@ -275,7 +275,8 @@ impl Reader<'_> {
                 Ok(())
             }
             Value::String(text) => {
-                let (Some(length), Some(data)) = (self.types.member(index, "LEN"), self.types.member(index, "DATA")) else {
+                let (Some(length), Some(data)) = (self.types.member(index, "LEN"), self.types.member(index, "DATA"))
+                else {
                     return Err(self.misfit(text.span, &format!("{} is no string type", record.name)));
                 };
                 let bytes = characters(text)?;
@@ -315,7 +316,7 @@ impl Reader<'_> {
         if items.len() != (known.bytes / 4) as usize {
             return Err(Trouble::NotVisible(span));
         }
-        let words = items.iter().map(|item| bits_of(item)).collect::<Result<Vec<i32>, Trouble>>()?;
+        let words = items.iter().map(bits_of).collect::<Result<Vec<i32>, Trouble>>()?;
         for (member, place) in known.members.iter().zip(&self.types.layout(index).members) {
             let word = words.get((member.byte / 4) as usize).copied().unwrap_or(0);
             let value = match member.element {

@@ -7,10 +7,12 @@ use twinrung_catalog::{Instruction as Declaration, OperandKind};
 use twinrung_grammar::tree::{self, CompactString, ReadError, Span};
 
 use super::{
-    AddOn, AddOnId, Branch, Call, Element, Instruction, OperandId, OperandUse, Profile, RoutineId, Rung, ScopeNames, Tag,
-    TagId, Types,
+    AddOn, AddOnId, Branch, Call, Element, Instruction, OperandId, OperandUse, Profile, RoutineId, Rung, ScopeNames,
+    Tag, TagId, Types,
 };
-use crate::diagnostic::{DUPLICATE_NAME, EMPTY_RUNG, Finding, Findings, OPERAND_COUNT, OPERAND_MISSING, OVER_LIMIT, reading_finding};
+use crate::diagnostic::{
+    DUPLICATE_NAME, EMPTY_RUNG, Finding, Findings, OPERAND_COUNT, OPERAND_MISSING, OVER_LIMIT, reading_finding,
+};
 use crate::names::{Map, Set, fold};
 use crate::operand::{self, Operand, Scope};
 use crate::rules;
@@ -356,11 +358,11 @@ impl<'a, 'c> RungReader<'a, 'c> {
         declaration: &'static Declaration,
         shown: &tree::Instruction,
     ) -> Option<Instruction> {
-        if let Some(profile) = self.context.profile {
-            if let Some(finding) = rules::admission::finding(profile, declaration, &shown.mnemonic) {
-                self.findings.push(finding);
-                return None;
-            }
+        if let Some(profile) = self.context.profile
+            && let Some(finding) = rules::admission::finding(profile, declaration, &shown.mnemonic)
+        {
+            self.findings.push(finding);
+            return None;
         }
         let (least, most) = declaration.operand_count();
         let count = shown.operands.len();
@@ -456,7 +458,8 @@ impl<'a, 'c> RungReader<'a, 'c> {
         for (position, operand) in shown.operands.iter().enumerate() {
             let missing = operand.is_unassigned() || operand.is_empty();
             let outcome = if missing {
-                let finding = Finding::new(&OPERAND_MISSING, operand.span, "an argument is missing: the rung is unfinished");
+                let finding =
+                    Finding::new(&OPERAND_MISSING, operand.span, "an argument is missing: the rung is unfinished");
                 Err(finding.help("enter a tag or a value where it is missing").into())
             } else if position == 0 {
                 operand::read_instance(self, id, operand)
@@ -496,4 +499,3 @@ fn count_text(least: usize, most: Option<usize>) -> String {
         None => format!("at least {}", plural(least)),
     }
 }
-

@@ -21,9 +21,32 @@ pub struct StandardWrite {
 /// Which operands of frequent standard instructions are written, where the catalog has no declaration
 /// (RM003 operand tables): BTD, CPS, FRD, TOD, DEG, RAD, SIN and the like write their last but for BTD's length.
 const DESTINATIONS: [(&str, usize); 26] = [
-    ("BTD", 2), ("CPS", 1), ("FRD", 1), ("TOD", 1), ("DEG", 1), ("RAD", 1), ("SIN", 1), ("COS", 1), ("TAN", 1), ("ASN", 1),
-    ("ACS", 1), ("ATN", 1), ("LN", 1), ("LOG", 1), ("XPY", 2), ("TRN", 1), ("AVE", 2), ("STD", 2), ("BSL", 0), ("BSR", 0),
-    ("FFL", 1), ("FFU", 1), ("LFL", 1), ("LFU", 1), ("DTR", 2), ("SQI", 2),
+    ("BTD", 2),
+    ("CPS", 1),
+    ("FRD", 1),
+    ("TOD", 1),
+    ("DEG", 1),
+    ("RAD", 1),
+    ("SIN", 1),
+    ("COS", 1),
+    ("TAN", 1),
+    ("ASN", 1),
+    ("ACS", 1),
+    ("ATN", 1),
+    ("LN", 1),
+    ("LOG", 1),
+    ("XPY", 2),
+    ("TRN", 1),
+    ("AVE", 2),
+    ("STD", 2),
+    ("BSL", 0),
+    ("BSR", 0),
+    ("FFL", 1),
+    ("FFU", 1),
+    ("LFL", 1),
+    ("LFU", 1),
+    ("DTR", 2),
+    ("SQI", 2),
 ];
 
 /// Everything that one standard program writes of safety data.
@@ -60,7 +83,9 @@ pub(crate) fn writes(
                             continue;
                         }
                         let end = operand.text.find(['.', '[']).unwrap_or(operand.text.len());
-                        let Some(found) = names.find_in_standard(position, operand.text[..end].trim()) else { continue };
+                        let Some(found) = names.find_in_standard(position, operand.text[..end].trim()) else {
+                            continue;
+                        };
                         let tag = &tags[found.tag.position()];
                         // An alias whose target is out of reach may be anything.
                         if tag.class == TagClass::Safety && tag.fault.is_none() {

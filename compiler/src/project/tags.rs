@@ -160,10 +160,9 @@ impl<'a> TagTable<'_, 'a> {
                     .connection_type
                     .as_ref()
                     .is_some_and(|kind| kind.as_str().to_ascii_lowercase().starts_with("safety"));
-            for (tag, is_input) in
-                [(&connection.input, true), (&connection.output, false)].into_iter().filter_map(|(tag, input)| {
-                    tag.as_deref().map(|tag| (tag, input))
-                })
+            for (tag, is_input) in [(&connection.input, true), (&connection.output, false)]
+                .into_iter()
+                .filter_map(|(tag, input)| tag.as_deref().map(|tag| (tag, input)))
             {
                 let class = if safety { TagClass::Safety } else { TagClass::Standard };
                 if safety && is_input {
@@ -253,10 +252,10 @@ impl<'a> TagTable<'_, 'a> {
             return;
         }
         let suffix = if is_input { "I" } else { "O" };
-        let type_name = CompactString::from(format!("AB:{}:{suffix}:{}", known.catalog_number.replace('-', "_"), choice.word));
-        let drafts = members()
-            .map(|member| (member.name.into(), member.element.name().into(), [0; 3], module.span))
-            .collect();
+        let type_name =
+            CompactString::from(format!("AB:{}:{suffix}:{}", known.catalog_number.replace('-', "_"), choice.word));
+        let drafts =
+            members().map(|member| (member.name.into(), member.element.name().into(), [0; 3], module.span)).collect();
         self.types.declare_members(&type_name, drafts);
         let mut tag = module_tag_named(module, position, suffix, is_input, TagClass::Safety, module.span);
         tag.type_name = type_name;
@@ -339,21 +338,27 @@ fn attributes(shown: &tree::Tag) -> Vec<(String, String)> {
 
 /// Why a safety tag cannot have its type.
 pub(crate) fn type_finding(types: &Types, what: &str, type_name: &str, span: Span, fault: &TypeFault) -> Finding {
-    let within = |name: &str| if name.eq_ignore_ascii_case(type_name) { String::new() } else { format!(" within {type_name}") };
+    let within =
+        |name: &str| if name.eq_ignore_ascii_case(type_name) { String::new() } else { format!(" within {type_name}") };
     let finding = match &fault.problem {
         TypeProblem::Unknown(name) if name.is_empty() => {
             Finding::new(&UNKNOWN_TYPE, span, format!("the type of `{what}` is not visible"))
         }
         TypeProblem::Unknown(name) => {
-            let finding = Finding::new(&UNKNOWN_TYPE, span, format!("the type `{name}`{} is not declared", within(name)));
+            let finding =
+                Finding::new(&UNKNOWN_TYPE, span, format!("the type `{name}`{} is not declared", within(name)));
             match closest(name, types.candidate_names()) {
                 Some(like) => finding.help(format!("did you mean `{}`?", like.to_ascii_uppercase())),
-                None => finding.help("declare the type; for a partial export give the file that declares it with --context"),
+                None => {
+                    finding.help("declare the type; for a partial export give the file that declares it with --context")
+                }
             }
         }
         TypeProblem::NotSafe(name) => rules::safety_type::finding(what, name, type_name, span),
         TypeProblem::NoLayout(name) => {
-            let message = format!("a safety tag may be a {name}, but no admitted instruction uses one and its layout is not published");
+            let message = format!(
+                "a safety tag may be a {name}, but no admitted instruction uses one and its layout is not published"
+            );
             Finding::new(&NOT_SUPPORTED, span, message).help("declare the tag with a type that safety instructions use")
         }
         TypeProblem::Recursive(name) => Finding::new(&BAD_TYPE, span, format!("the type {name} contains itself")),

@@ -165,7 +165,12 @@ impl Types {
     }
 
     /// Declares the instance type of an Add-On Instruction.
-    pub fn declare_add_on(&mut self, index: AddOnIndex, name: &str, members: Vec<(CompactString, CompactString, [u32; 3], Span)>) {
+    pub fn declare_add_on(
+        &mut self,
+        index: AddOnIndex,
+        name: &str,
+        members: Vec<(CompactString, CompactString, [u32; 3], Span)>,
+    ) {
         let drafts = members
             .into_iter()
             .map(|(name, data_type, dimensions, span)| Draft { name, data_type, dimensions, span })
@@ -178,10 +183,10 @@ impl Types {
     /// module's tag (neutral-text-and-l5x.md D.3). No effect when the name is known.
     pub fn declare_as_shown(&mut self, value: &Value) {
         let Value::Structure { data_type, members, .. } = value else {
-            if let Value::Array { elements, .. } = value {
-                if let Some((_, first)) = elements.first() {
-                    self.declare_as_shown(first);
-                }
+            if let Value::Array { elements, .. } = value
+                && let Some((_, first)) = elements.first()
+            {
+                self.declare_as_shown(first);
             }
             return;
         };
@@ -254,8 +259,7 @@ impl Types {
                 type_reference: TypeReference::Element(member.element),
                 dimensions: [member.length, 0, 0],
             });
-            let record =
-                TypeRecord { name: known.name.into(), kind: TypeKind::Predefined, members: members.collect() };
+            let record = TypeRecord { name: known.name.into(), kind: TypeKind::Predefined, members: members.collect() };
             let outcome = self.add(record).map_err(TypeFault::from);
             return self.settle(folded, outcome);
         }
@@ -345,9 +349,42 @@ pub fn usage(shown: tree::ParameterUsage) -> Usage {
 /// Types of the controller that are not in Table 7 of 1756-RM093; others of the same kind are unknown to this tool and
 /// reported as such.
 const NOT_SAFE: [&str; 38] = [
-    "LINT", "LREAL", "USINT", "UINT", "UDINT", "ULINT", "TIME", "TIME32", "LTIME", "DT", "LDT", "MESSAGE", "PID",
-    "PIDE_AUTOTUNE", "PID_ENHANCED", "ALARM", "ALARM_ANALOG", "ALARM_DIGITAL", "ALARM_SET", "AXIS_CIP_DRIVE",
-    "AXIS_CONSUMED", "AXIS_GENERIC", "AXIS_SERVO", "AXIS_SERVO_DRIVE", "AXIS_VIRTUAL", "CAM", "COORDINATE_SYSTEM",
-    "MOTION_GROUP", "FBD_MATH", "FBD_COMPARE", "FBD_MATH_ADVANCED", "FBD_ONESHOT", "FBD_LOGICAL_ADVANCED", "FILTER_LOW_PASS",
-    "FILTER_HIGH_PASS", "SCALE", "TOTALIZER", "DATALOG_INSTRUCTION",
+    "LINT",
+    "LREAL",
+    "USINT",
+    "UINT",
+    "UDINT",
+    "ULINT",
+    "TIME",
+    "TIME32",
+    "LTIME",
+    "DT",
+    "LDT",
+    "MESSAGE",
+    "PID",
+    "PIDE_AUTOTUNE",
+    "PID_ENHANCED",
+    "ALARM",
+    "ALARM_ANALOG",
+    "ALARM_DIGITAL",
+    "ALARM_SET",
+    "AXIS_CIP_DRIVE",
+    "AXIS_CONSUMED",
+    "AXIS_GENERIC",
+    "AXIS_SERVO",
+    "AXIS_SERVO_DRIVE",
+    "AXIS_VIRTUAL",
+    "CAM",
+    "COORDINATE_SYSTEM",
+    "MOTION_GROUP",
+    "FBD_MATH",
+    "FBD_COMPARE",
+    "FBD_MATH_ADVANCED",
+    "FBD_ONESHOT",
+    "FBD_LOGICAL_ADVANCED",
+    "FILTER_LOW_PASS",
+    "FILTER_HIGH_PASS",
+    "SCALE",
+    "TOTALIZER",
+    "DATALOG_INSTRUCTION",
 ];

@@ -59,14 +59,13 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                 return;
             }
         }
-        if let [Some(source), Some(destination)] = sizes {
-            if source != destination {
+        if let [Some(source), Some(destination)] = sizes
+            && source != destination {
                 let message = format!("an element of the source has {source} bytes, one of the destination {destination}");
                 let help = "copy between data of the same type";
                 findings.push(Finding::new(&CODE, destination_use.span, message).help(help));
                 return;
             }
-        }
         if sizes[1].unwrap_or(0).saturating_mul(length) > limits::COPY_BYTES {
             let message = format!("a copy moves at most {} bytes", limits::COPY_BYTES);
             findings.push(Finding::new(&CODE, length_use.span, message).help("copy in several steps"));

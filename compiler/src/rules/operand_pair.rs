@@ -56,28 +56,25 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                     }
                 }
                 Relation::NotZeroWhen(time, choice, value) => {
-                    if let (Some((0, span)), Some((chosen, _))) = (integer(time), integer(choice)) {
-                        if chosen == value {
+                    if let (Some((0, span)), Some((chosen, _))) = (integer(time), integer(choice))
+                        && chosen == value {
                             let message = format!("{time} is 0, which the chosen {choice} does not admit");
                             findings.push(Finding::new(&CODE, span, message).help("give it a time"));
                         }
-                    }
                 }
                 Relation::BelowUnlessZero(first, second) => {
-                    if let (Some((a, span)), Some((b, _))) = (integer(first), integer(second)) {
-                        if b != 0 && a >= b {
+                    if let (Some((a, span)), Some((b, _))) = (integer(first), integer(second))
+                        && b != 0 && a >= b {
                             let message = format!("{first} ({a}) must be below {second} ({b})");
                             findings.push(Finding::new(&CODE, span, message).help("lower the first, or raise the second"));
                         }
-                    }
                 }
                 Relation::NotAbove(first, second) => {
-                    if let (Some((a, span)), Some((b, _))) = (real(first), real(second)) {
-                        if a > b {
+                    if let (Some((a, span)), Some((b, _))) = (real(first), real(second))
+                        && a > b {
                             let message = format!("{first} ({a}) must not be above {second} ({b})");
                             findings.push(Finding::new(&CODE, span, message).help("exchange them, or correct one"));
                         }
-                    }
                 }
                 Relation::PeriodAtMost(limit_ms) => {
                     if let Some((period, span)) = period_us.filter(|(period, _)| *period > u64::from(limit_ms) * 1000) {
@@ -150,12 +147,11 @@ pub(crate) fn dimensions_of_array(project: &Project, reference: &crate::operand:
         }
     };
     for step in &reference.steps {
-        if let (Step::Member(member), Some(TypeReference::Structure(index))) = (step, current) {
-            if let Some(member) = project.types.record(index).members.get(usize::from(*member)) {
+        if let (Step::Member(member), Some(TypeReference::Structure(index))) = (step, current)
+            && let Some(member) = project.types.record(index).members.get(usize::from(*member)) {
                 current = Some(member.type_reference);
                 dimensions = member.dimensions;
             }
-        }
     }
     dimensions
 }

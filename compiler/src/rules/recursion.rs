@@ -114,12 +114,11 @@ fn judge(
                 None => {
                     state[at] = 2;
                     depth[at] = graph[at].iter().map(|(called, _)| depth[*called] + 1).max().unwrap_or(0);
-                    if depth[at] == deepest + 1 {
-                        if let Some((_, span)) = graph[at].iter().find(|(called, _)| depth[*called] == deepest) {
+                    if depth[at] == deepest + 1
+                        && let Some((_, span)) = graph[at].iter().find(|(called, _)| depth[*called] == deepest) {
                             let message = format!("{what} within {what} go deeper than {deepest}");
                             findings.push(Finding::new(&OVER_LIMIT, *span, message).help("call the parts one after the other"));
                         }
-                    }
                 }
             }
         }

@@ -72,7 +72,9 @@ pub(crate) fn rungs<'a>(project: &'a Project, visitor: &mut impl FnMut(RoutineId
 /// Visits every instruction with its place.
 pub(crate) fn instructions<'a>(project: &'a Project, visitor: &mut impl FnMut(Place, &'a Instruction)) {
     rungs(project, &mut |routine, number, rung| {
-        rung.visit(&mut |instruction| visitor(Place { routine, rung: number, element: instruction.element }, instruction));
+        rung.visit(&mut |instruction| {
+            visitor(Place { routine, rung: number, element: instruction.element }, instruction)
+        });
     });
 }
 
@@ -87,15 +89,7 @@ pub(crate) fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataA
         for (at, one) in instruction.operands.iter().enumerate() {
             let writes = writes(project, &in_out, instruction, at);
             let mut give = |reference: &'a Reference, writes: bool| {
-                visitor(&DataAccess {
-                    instruction,
-                    place,
-                    owner,
-                    operand: at,
-                    span: one.span,
-                    reference,
-                    writes,
-                });
+                visitor(&DataAccess { instruction, place, owner, operand: at, span: one.span, reference, writes });
             };
             match project.operand(one.id) {
                 Operand::Reference(reference) => {
@@ -265,10 +259,10 @@ pub(crate) fn name_of(project: &Project, reference: &Reference) -> String {
 /// The name of the last member of a path, that of an alias's target where the alias itself is meant.
 pub(crate) fn last_member(project: &Project, reference: &Reference) -> String {
     use crate::operand::Root;
-    if let (true, Root::Tag(tag)) = (reference.steps.is_empty(), reference.root) {
-        if let crate::project::TagKind::Alias(Some(target)) = &project.tag(tag).kind {
-            return last_member(project, &target.reference);
-        }
+    if let (true, Root::Tag(tag)) = (reference.steps.is_empty(), reference.root)
+        && let crate::project::TagKind::Alias(Some(target)) = &project.tag(tag).kind
+    {
+        return last_member(project, &target.reference);
     }
     let name = name_of(project, reference);
     name.rsplit('.').next().unwrap_or_default().to_owned()

@@ -7,7 +7,9 @@ use twinrung_catalog::Element;
 use twinrung_grammar::tree::{self, Class, CompactString, Span};
 
 use super::Inputs;
-use crate::diagnostic::{ADD_ON_SHAPE, BAD_NAME, DUPLICATE_NAME, ENCODED, Finding, Findings, NOT_SUPPORTED, OVER_LIMIT};
+use crate::diagnostic::{
+    ADD_ON_SHAPE, BAD_NAME, DUPLICATE_NAME, ENCODED, Finding, Findings, NOT_SUPPORTED, OVER_LIMIT,
+};
 use crate::names::{Map, fold, name_fault};
 use crate::project::add_on::{Local, Parameter};
 use crate::project::data::{self, Defaults, Region};
@@ -37,8 +39,7 @@ pub(super) fn declare<'a>(
                 continue;
             }
             let safety = inputs.library || shown.class.is_some_and(|class| class.value == Class::Safety);
-            let meaning =
-                if safety { Meaning::AddOn(AddOnId(list.len() as u16)) } else { Meaning::StandardAddOn };
+            let meaning = if safety { Meaning::AddOn(AddOnId(list.len() as u16)) } else { Meaning::StandardAddOn };
             if !mnemonics.add(shown.name.as_str(), meaning) {
                 if !context && safety {
                     let message = format!("`{}` is already the name of an instruction", shown.name);
@@ -76,15 +77,16 @@ fn declared(shown: &tree::AddOnInstruction) -> impl Iterator<Item = &tree::Param
 /// Members of the instance type: EnableIn, EnableOut, the other parameters but InOut, local tags.
 fn members(shown: &tree::AddOnInstruction) -> Vec<(CompactString, CompactString, [u32; 3], Span)> {
     let enable = ["EnableIn", "EnableOut"].map(|name| (name.into(), "BOOL".into(), [0; 3], shown.name.span));
-    let parameters = declared(shown).filter(|one| direction(one) != Usage::InOut && one.alias_for.is_none()).map(|one| {
-        let (name, span) = type_of(one);
-        (one.name.text.clone(), name, [0; 3], span)
-    });
+    let parameters =
+        declared(shown).filter(|one| direction(one) != Usage::InOut && one.alias_for.is_none()).map(|one| {
+            let (name, span) = type_of(one);
+            (one.name.text.clone(), name, [0; 3], span)
+        });
     let locals = shown.local_tags.iter().map(|tag| {
-        let (name, span) = tag.data_type.as_ref().map_or_else(
-            || (CompactString::default(), tag.name.span),
-            |name| (name.text.clone(), name.span),
-        );
+        let (name, span) = tag
+            .data_type
+            .as_ref()
+            .map_or_else(|| (CompactString::default(), tag.name.span), |name| (name.text.clone(), name.span));
         (tag.name.text.clone(), name, dimensions(tag.dimensions), span)
     });
     enable.into_iter().chain(parameters).chain(locals).collect()
@@ -171,7 +173,9 @@ fn build_one(
     for one in declared(shown) {
         if one.alias_for.is_some() {
             let message = format!("the parameter `{}` is an alias, which is not compiled", one.name);
-            findings.push(Finding::new(&NOT_SUPPORTED, one.name.span, message).help("declare it as a parameter of its own"));
+            findings.push(
+                Finding::new(&NOT_SUPPORTED, one.name.span, message).help("declare it as a parameter of its own"),
+            );
             continue;
         }
         let usage = direction(one);

@@ -70,10 +70,10 @@ pub(super) fn resolve(
             next = begins_with(surroundings, &tags[id.position()], operand);
         }
         for id in chain.into_iter().rev() {
-            if done.insert(id) {
-                if let Some(operand) = operands.get(&id) {
-                    resolve_one(id, operand, tags, surroundings, slot_names, findings);
-                }
+            if done.insert(id)
+                && let Some(operand) = operands.get(&id)
+            {
+                resolve_one(id, operand, tags, surroundings, slot_names, findings);
             }
         }
     }

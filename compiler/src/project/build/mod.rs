@@ -110,26 +110,10 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
     );
     let map = map::build(inputs, &tags, &names, findings);
 
-    let context = Context::new(
-        &types,
-        &tags,
-        &names,
-        &add_ons,
-        profile.as_ref(),
-        &routine_names,
-        &event_tasks,
-        &safety_tasks,
-    );
+    let context =
+        Context::new(&types, &tags, &names, &add_ons, profile.as_ref(), &routine_names, &event_tasks, &safety_tasks);
     let mut operands = Operands::default();
-    let rungs = programs::read_rungs(
-        &context,
-        &mnemonics,
-        &mut operands,
-        &routines,
-        &safety,
-        &shown_add_ons,
-        findings,
-    );
+    let rungs = programs::read_rungs(&context, &mnemonics, &mut operands, &routines, &safety, &shown_add_ons, findings);
     slot_names.extend(context.into_slot_names());
     for (routine, rungs) in routines.iter_mut().zip(rungs) {
         routine.rungs = rungs;
@@ -212,7 +196,8 @@ fn declare_types(inputs: &Inputs<'_>, types: &mut Types, findings: &mut Findings
 fn encoded(file: &tree::File, findings: &mut Findings) {
     for encoded in &file.encoded {
         let safety = encoded.attributes.iter().any(|attribute| {
-            attribute.key.is("Class") && attribute.value.text().is_some_and(|text| text.as_str().eq_ignore_ascii_case("Safety"))
+            attribute.key.is("Class")
+                && attribute.value.text().is_some_and(|text| text.as_str().eq_ignore_ascii_case("Safety"))
         });
         if safety {
             findings.push(encoded_finding(encoded));

@@ -5,8 +5,8 @@ use twinrung_grammar::tree::{Class, CompactString, Span};
 use super::Inputs;
 use crate::diagnostic::{DUPLICATE_NAME, Finding, Findings, UNKNOWN_PROGRAM};
 use crate::names::closest;
-use crate::project::task::Scheduled;
 use crate::project::tags::class_of;
+use crate::project::task::Scheduled;
 use crate::project::{Program, ProgramId, TagClass, Task};
 
 /// The tasks of the file, or the one that the command line describes; and the names of standard event tasks.
@@ -20,7 +20,8 @@ pub(super) fn build(
     for shown in &inputs.file.tasks {
         if let Some(first) = list.iter().find(|task| shown.name.is(&task.name)) {
             let message = format!("the task `{}` is declared twice", shown.name);
-            let finding = Finding::new(&DUPLICATE_NAME, shown.name.span, message).label(first.span, "first declared here");
+            let finding =
+                Finding::new(&DUPLICATE_NAME, shown.name.span, message).label(first.span, "first declared here");
             findings.push(finding.help("rename one of the two"));
             continue;
         }
@@ -45,7 +46,7 @@ pub(super) fn build(
             name: shown.name.text.clone(),
             span: shown.name.span,
             class,
-            task_type: shown.task_type.as_ref().map(|name| name.text.to_ascii_uppercase().into()).unwrap_or_default(),
+            task_type: shown.task_type.as_ref().map(|name| name.text.to_ascii_uppercase()).unwrap_or_default(),
             period_us: shown.rate_us.map(|rate| (rate.value, rate.span)),
             watchdog_us: shown.watchdog_us.map(|watchdog| (watchdog.value, watchdog.span)),
             priority: shown.priority.map_or(10, |priority| u8::try_from(priority.value).unwrap_or(u8::MAX)),
