@@ -197,7 +197,6 @@ rules! {
     LabelMissing { at: Site } => "{at}: no rung of the routine has this label";
     LabelName { at: Site } => "{at}: the label has a name that cannot be written";
     CallOutside { at: Site } => "{at}: a subroutine is called, or begins, within an Add-On Instruction";
-    CallTarget { at: Site } => "{at}: the routine is not one of the same program";
     CallCount { at: Site } => "{at}: more parameters than a call may have, or fewer than the number that it states";
     CallParameters { at: Site } => "{at}: the parameters are not those of the routine's SBR and RET";
     CallCircle { routine: RoutineIndex } => "routine {routine} calls itself through its subroutines";

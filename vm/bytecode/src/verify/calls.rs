@@ -136,11 +136,9 @@ impl Check<'_, '_> {
     pub(super) fn call(&mut self, operands: Operands<'_>) -> Result<(), ImageError> {
         let at = self.at;
         let Owner::Program(program) = self.owner else { return Err(ImageError::CallOutside { at }) };
-        let target = match operands.get(0).map(|operand| self.entries.get(operand)) {
-            Some(Ok(entry)) => entry.fact,
-            _ => return Err(ImageError::CallTarget { at }),
-        };
-        let Fact::Routine(target) = target else { return Err(ImageError::CallTarget { at }) };
+        // Of the same program: the scope of the operand says so.
+        let target = operands.get(0).and_then(|operand| self.entries.get(operand).ok()).map(|entry| entry.fact);
+        let Some(Fact::Routine(target)) = target else { return Err(ImageError::OperandKind { at, position: 0 }) };
         let stated = self.literal(operands, 1).and_then(|count| usize::try_from(count).ok());
         let passed = self.passed(operands, 2)?;
         let (inputs, returns) = stated
@@ -217,7 +215,7 @@ impl Calls {
     fn check_parameters(&self) -> Result<(), ImageError> {
         for call in self.routines.iter().flat_map(|routine| &routine.calls) {
             let at = call.at;
-            let target = self.routines.get(call.target.position()).ok_or(ImageError::CallTarget { at })?;
+            let target = self.routines.get(call.target.position()).ok_or(ImageError::CallParameters { at })?;
             let returns = target.signature.returns.as_deref().unwrap_or_default();
             if target.signature.mixed || call.inputs != target.signature.receives || call.returns != returns {
                 return Err(ImageError::CallParameters { at });

@@ -98,15 +98,15 @@ pub(super) fn check_controller(
     if library && record.processor.is_empty() {
         return Ok(None);
     }
-    if !names::is_component(&record.name) {
-        return Err(ImageError::Name { what: "controller", index: 0 });
-    }
     // The catalogue's own spelling: the text of the declaration has one form.
     let controller = Controller::by_catalog_number(&record.processor)
         .filter(|known| known.catalog_number == record.processor)
         .ok_or(ImageError::UnknownController)?;
     if !controller.knows_revision(record.revision) {
         return Err(ImageError::UnknownRevision { revision: record.revision });
+    }
+    if !names::is_component(&record.name) {
+        return Err(ImageError::Name { what: "controller", index: 0 });
     }
     Ok(Some(controller))
 }

@@ -1,8 +1,6 @@
 //! Decompiled text: the exporter's blanks, operands, expressions.
 
-mod support;
-
-use support::{REAL, *};
+use crate::support::{REAL, *};
 use twinrung_bytecode::format::*;
 
 #[test]
