@@ -6,6 +6,9 @@ use std::path::{Path, PathBuf};
 
 use crate::support::{read_whole, shared_path};
 
+/// Files that are broken as files, and why.
+const BROKEN: &[(&str, &str)] = &[("mytest.L5X", "the text of its only rung is `//`")];
+
 fn exports(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -35,5 +38,6 @@ fn corpus_when_read_then_nothing_is_refused_for_its_syntax_and_every_finding_has
         println!("{:<60} {verdict}", path.strip_prefix(&corpus).unwrap().display());
         syntax.extend(codes.keys().filter(|code| code.starts_with("E01")).map(|code| (path.clone(), code.to_string())));
     }
+    syntax.retain(|(path, _)| !BROKEN.iter().any(|(name, _)| path.ends_with(name)));
     assert!(syntax.is_empty(), "refused for syntax: {syntax:#?}");
 }

@@ -11,7 +11,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("cmp-on-an-l63s", "S0102"),
     ("cop-with-a-tag-as-length", "S0105"),
     ("discrepancy-time-of-4-ms", "E0305"),
-    ("mapped-tag-written", "S0305"),
+    ("mapped-tag-written", "S0304"),
     ("period-of-501-ms", "S0502"),
     ("real-on-an-l63s", "S0202"),
     ("recursion", "S0604"),

@@ -3,7 +3,9 @@
 use super::cursor::Element;
 use super::{Reader, adopt, usage};
 use crate::components;
-use crate::tree::{Connection, Data, Module, ModuleTag, Name, OpaqueData, Port, Spanned, Text, Usage, Value};
+use crate::tree::{
+    Connection, Data, Module, ModuleTag, Name, OpaqueData, Point, PointKind, Port, Spanned, Text, Trivia, Usage, Value,
+};
 
 impl<'a> Reader<'a> {
     pub(super) fn module(&mut self, element: &Element<'a>, around: Usage) {
@@ -27,11 +29,47 @@ impl<'a> Reader<'a> {
                     adopt(&mut module.attributes, &child, &[]);
                     self.communications(&mut module);
                 }
+                "ExtendedProperties" => self.extended_properties(&mut module),
                 _ => self.xml.skip(),
             }
         }
         place(&mut module);
         self.file.modules.push(module);
+    }
+
+    /// What an export cannot show of a module's points it may carry as `<public><Twinrung RPI="10"><POINT Name="I00" .../>`:
+    /// extended properties are free-form, and other tools pass them on unread.
+    fn extended_properties(&mut self, module: &mut Module) {
+        while let Some(visibility) = self.xml.child() {
+            if visibility.name != "public" {
+                self.xml.skip();
+                continue;
+            }
+            while let Some(property) = self.xml.child() {
+                if property.name != "Twinrung" {
+                    self.xml.skip();
+                    continue;
+                }
+                let mut fields = property.fields(&[], &mut self.xml.errors);
+                module.rpi_us = fields.milliseconds(&["RPI"]).or(module.rpi_us);
+                module.attributes.extend(fields.rest());
+                while let Some(entry) = self.xml.child() {
+                    let kind = match entry.name {
+                        "POINT" => Some(PointKind::Point),
+                        "TEST" => Some(PointKind::Test),
+                        _ => None,
+                    };
+                    module.points.extend(kind.map(|kind| Point {
+                        kind,
+                        name: entry.name_of("Name"),
+                        attributes: entry.attributes_without(&["Name"]),
+                        trivia: Trivia::default(),
+                        span: entry.span,
+                    }));
+                    self.xml.skip();
+                }
+            }
+        }
     }
 
     fn port(&mut self, element: &Element<'a>) -> Port {
