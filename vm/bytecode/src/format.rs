@@ -64,6 +64,7 @@
 //! - count: how many elements of that type lie from here to the end of the innermost array that holds them, 1 for a
 //!   scalar. For an array designated as a whole, the number of its elements. Where a variable subscript selects the
 //!   first element the count is that of the whole array, less what constant subscripts skip;
+//!   1 for a bit of a word. A reference to an alias counts as its target's path does;
 //! - terms: variable subscripts. The cell is `bit_cell + sum(value * bit_stride)` (likewise words). Each value must be
 //!   0 .. length - 1, else the major fault 4/20; constant subscripts are already in bit_cell and word_cell;
 //! - bit, bit_operand, bit_length: for SHAPE_WORD_BIT the bit number, or NO_BIT and the operand that gives it, which

@@ -1,4 +1,7 @@
 //! The records of an image. All tags here are safety tags; standard tags are names in the map.
+//!
+//! Names are ordered by [`crate::names::order`]. Cells are assigned to the tags that are no aliases in table order,
+//! without gaps.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -28,9 +31,10 @@ pub struct Image {
     pub task: Option<TaskRecord>,
     /// Safety modules in order of the names.
     pub modules: Vec<ModuleRecord>,
-    /// Standard tags and the safety tags that they are copied to at the start of every scan.
+    /// Standard tags and the safety tags that they are copied to at the start of every scan, in order of the latter,
+    /// each at most once.
     pub map: Vec<MapRecord>,
-    /// Attributes that GSV and SSV name, each once.
+    /// Attributes that GSV and SSV name, each once; their values lie one after the other.
     pub system_values: Vec<SystemValueRecord>,
     /// Event tasks that EVENT names, each once.
     pub event_tasks: Vec<String>,

@@ -43,6 +43,8 @@ pub(super) struct Place {
     pub(super) word_span: u32,
     /// Whether a variable subscript, or bit number, takes part.
     pub(super) variable: bool,
+    /// Whether an alias on the way says that logic may not write it.
+    pub(super) constant: bool,
     /// Whether the path goes into a structure that backs a safety application instruction.
     pub(super) within_backing: bool,
 }
@@ -69,6 +71,7 @@ impl Place {
             bit_span: 0,
             word_span: 0,
             variable: false,
+            constant: false,
             within_backing: false,
         })
     }

@@ -95,7 +95,7 @@ impl State {
         if let Some(tag) = place.tag
             && let Some(record) = tables.image.tags.get(tag.position())
         {
-            if record.constant {
+            if record.constant || place.constant {
                 return Err(ImageError::WriteConstant { at, tag });
             }
             if record.kind == TagKind::Consumed {

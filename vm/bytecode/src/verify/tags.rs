@@ -223,7 +223,7 @@ fn alias_place(
     for step in &reference.steps {
         walk.step(step, &mut |_| Err(wrong.clone()))?;
     }
-    let place = walk.place;
+    let place = Place { constant: walk.place.constant || alias.constant, ..walk.place };
     let type_reference = if place.bit.is_some() { TypeReference::Element(Element::Bool) } else { place.type_reference };
     if (alias.type_reference, alias.dimensions) == (type_reference, place.dimensions) {
         Ok(place)

@@ -147,10 +147,17 @@ fn tag_when_logic_may_not_write_it_then_is_refused() {
 }
 
 #[test]
+fn alias_when_constant_then_nothing_writes_through_it() {
+    let mut r = rich();
+    r.tag(r.tags.alias).constant = true;
+    assert_eq!(r.b.rule(), "admitted");
+    assert_eq!(r.rule_with(&[op(Opcode::Otl, &[r.alias])]), "WriteConstant");
+}
+
+#[test]
 fn in_out_argument_when_the_logic_writes_it_then_it_is_a_write() {
     let mut r = rich();
     r.tag(r.tags.word).constant = true;
-    r.b.image.tags.iter_mut().for_each(|tag| tag.attributes.clear());
     assert_eq!(r.b.rule(), "admitted");
     let (gain, reference) = (r.member(2, 0), r.in_out());
     r.b.rung_in(r.logic, &[op(Opcode::Mov, &[gain, reference])]);

@@ -3,6 +3,7 @@
 mod admitted;
 mod code;
 mod container;
+mod declaration_text;
 mod declarations;
 mod hostile;
 mod instructions;
