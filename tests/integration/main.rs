@@ -8,4 +8,5 @@ mod plant_program;
 mod refused;
 mod samples;
 mod support;
+mod vectors;
 mod wrong_instruction;

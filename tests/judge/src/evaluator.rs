@@ -94,6 +94,8 @@ pub struct Judge<'p> {
     pub(crate) library_instances: HashMap<Target, usize>,
     /// Numbers of programs and routines in fault records.
     numbers: (Vec<u32>, Vec<u32>),
+    /// Whether the next scan is the first after a prescan.
+    first_scan_armed: bool,
     faulted: bool,
     in_fault_routine: bool,
 }
@@ -128,6 +130,7 @@ impl<'p> Judge<'p> {
             completed_on_false: HashSet::new(),
             library_instances: HashMap::new(),
             numbers: (Vec::new(), Vec::new()),
+            first_scan_armed: false,
             faulted: false,
             in_fault_routine: false,
         }
@@ -175,20 +178,19 @@ impl<'p> Judge<'p> {
     /// Program to Run: REQ-EXEC-024.
     pub fn prescan(&mut self, now_ms: i64, budget: u64) -> End {
         self.begin(Pass::Prescan, now_ms, budget);
-        self.flags = Flags { executed: self.flags.executed, first_scan: true, ..Flags::default() };
+        self.flags = Flags { executed: self.flags.executed, ..Flags::default() };
         self.records.fill([0; 11]);
         self.memory.last_time.clear();
         self.prescan_ms = now_ms;
         self.completed_on_false.clear();
         self.prescanned.clear();
-        let end = self.programs();
-        self.flags.first_scan = true;
-        end
+        self.first_scan_armed = true;
+        self.programs()
     }
 
     /// One execution of the safety task.
     pub fn scan(&mut self, now_ms: i64, budget: u64) -> End {
-        let first_scan = self.flags.first_scan && self.pass == Pass::Prescan;
+        let first_scan = std::mem::take(&mut self.first_scan_armed);
         self.begin(Pass::Scan, now_ms, budget);
         self.flags = Flags {
             first_scan,

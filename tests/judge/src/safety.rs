@@ -2,8 +2,8 @@
 
 use twinrung_bytecode::image::Usage;
 use twinrung_catalog::{Element, Instruction as Declaration, MemberRole, OperandKind};
-use twinrung_compiler::operand::Operand;
-use twinrung_compiler::project::{AddOn, OperandUse};
+use twinrung_compiler::operand::{Operand, Root};
+use twinrung_compiler::project::{AddOn, Call, Instruction, OperandUse};
 
 use crate::evaluator::{Exit, Judge};
 use crate::memory::{Base, Frame, Instance, Target};
@@ -84,7 +84,11 @@ impl<'p> Judge<'p> {
         let zero = || {
             Value::zero(&library.types, twinrung_bytecode::image::TypeReference::Structure(instance_type), [0; 3])
         };
+        let made = self.memory.library.len();
         let instance = self.library_instance(backing, zero);
+        if self.memory.library.len() > made {
+            self.initialise(definition, &instance);
+        }
         for (index, name) in safety.mirrored.iter().enumerate() {
             let parameter = if name.is_empty() { declaration.operands[index + 1].name } else { name };
             let inner = self.parameter(definition, &instance, parameter);
@@ -127,6 +131,38 @@ impl<'p> Judge<'p> {
             }
         }
         Ok(())
+    }
+
+    /// Presets and accumulators that the ladder writes as literals are the initial values of their structures, in nested
+    /// instances too.
+    fn initialise(&mut self, definition: &AddOn, instance: &Target) {
+        let library = self.library;
+        let routines = [definition.logic, definition.prescan, definition.enable_in_false];
+        for rung in routines.into_iter().flatten().flat_map(|routine| &library.routine(routine).rungs) {
+            rung.visit(&mut |instruction| self.initialise_from(instruction, instance));
+        }
+    }
+
+    fn initialise_from(&mut self, instruction: &Instruction, instance: &Target) {
+        let library = self.library;
+        let Some(Operand::Reference(structure)) = instruction.operands.first().map(|first| library.operand(first.id)) else {
+            return;
+        };
+        let Root::Member(_, member) = structure.root else { return };
+        let target = instance.part(u32::from(member));
+        match instruction.call {
+            Call::AddOn(id) => self.initialise(&library.add_ons[usize::from(id.0)], &target),
+            Call::Catalog(declaration) => {
+                let Some(OperandKind::Structure(layout, _)) = declaration.operand(0).map(|first| first.kind) else { return };
+                for (operand, declared) in instruction.operands.iter().zip(declaration.operands) {
+                    if let (OperandKind::Pseudo(name), Operand::Integer { value, .. }) =
+                        (declared.kind, library.operand(operand.id))
+                    {
+                        self.memory.set_integer(&target.part(crate::memory::member(layout, name)), *value);
+                    }
+                }
+            }
+        }
     }
 
     fn parameter(&self, definition: &AddOn, instance: &Target, name: &str) -> Target {
