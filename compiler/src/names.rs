@@ -34,9 +34,14 @@ pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
     }
     let limit = (name.len() / 3).clamp(1, 2);
     let wanted = name.to_ascii_lowercase();
+    let letters = letters_of(name);
     let mut best: Option<(usize, &str)> = None;
     for candidate in candidates {
         if candidate.len().abs_diff(name.len()) > limit || candidate.len() > LONGEST_COMPARED {
+            continue;
+        }
+        // Each change adds or takes at most two kinds of letters.
+        if (letters ^ letters_of(candidate)).count_ones() as usize > 2 * limit {
             continue;
         }
         let distance = distance(wanted.as_bytes(), candidate.to_ascii_lowercase().as_bytes());
@@ -46,6 +51,11 @@ pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
         }
     }
     best.map(|(_, candidate)| candidate)
+}
+
+/// Which letters and digits a name has, one bit for each.
+fn letters_of(name: &str) -> u64 {
+    name.bytes().fold(0, |letters, byte| letters | 1 << (byte.to_ascii_lowercase() & 63))
 }
 
 /// The optimal string alignment distance: insertions, deletions, changes and swaps of neighbours.

@@ -6,11 +6,12 @@ mod initial;
 mod operands;
 mod order;
 mod records;
+mod text;
 
 use twinrung_bytecode::container::HEADER_BYTES;
 use twinrung_bytecode::error::ImageError;
 use twinrung_bytecode::image::Image;
-use twinrung_bytecode::index::RoutineIndex;
+use twinrung_grammar::tree::Span;
 
 use crate::CheckedProject;
 use crate::diagnostic::{DEFECT, Finding};
@@ -31,6 +32,21 @@ pub struct CompiledImage {
     pub routines: Vec<RoutineId>,
     /// Which tag of the project each tag of the image is, in the order of the image.
     pub tags: Vec<TagId>,
+}
+
+impl CompiledImage {
+    /// The text of an instruction of the image: routine by its position in the image, rung and element from 0. Nothing
+    /// where there is none.
+    pub fn span(&self, project: &Project, routine: usize, rung: u32, element: u32) -> Option<Span> {
+        let routine = project.routines.get(self.routines.get(routine)?.position())?;
+        let mut found = None;
+        routine.rungs.get(rung as usize)?.visit(&mut |instruction| {
+            if instruction.element == element {
+                found = Some(instruction.span);
+            }
+        });
+        found
+    }
 }
 
 /// Compiles a checked project.
@@ -69,6 +85,7 @@ pub(crate) fn build(project: &Project) -> Result<(Image, Order), ImageError> {
     image.add_ons = records::add_ons(project, &order);
     image.programs = records::programs(project, &order);
     image.routines = code::routines(project, &order, &mut operands);
+    let entries = text::entries(&operands);
     let operands::Tables { operands, system_values, event_tasks } = operands.finish();
     image.operands = operands;
     image.system_values = system_values;
@@ -77,8 +94,6 @@ pub(crate) fn build(project: &Project) -> Result<(Image, Order), ImageError> {
     image.modules = records::modules(project);
     image.map = records::map(project, &order);
     initial::values(project, &order, &mut image);
-    for index in 0..image.routines.len() {
-        image.routines[index].text = twinrung_bytecode::text::render_routine(&image, RoutineIndex(index as u32))?;
-    }
+    text::routines(project, &order, &entries, &mut image)?;
     Ok((image, order))
 }

@@ -24,6 +24,8 @@ pub(super) struct Interner<'a> {
     by_id: Vec<Option<OperandIndex>>,
     tables: Tables,
     next_value: u32,
+    values: Map<(u8, u32), u16>,
+    tasks: Map<String, u16>,
     buffer: Vec<u8>,
 }
 
@@ -50,8 +52,15 @@ impl<'a> Interner<'a> {
             by_id: vec![None; project.operands.len()],
             tables: Tables { operands, system_values: Vec::new(), event_tasks: Vec::new() },
             next_value: 0,
+            values: Map::default(),
+            tasks: Map::default(),
             buffer: Vec::new(),
         }
+    }
+
+    /// The entries of the project's operands so far.
+    pub fn by_id(&self) -> &[Option<OperandIndex>] {
+        &self.by_id
     }
 
     pub fn finish(self) -> Tables {
@@ -111,23 +120,24 @@ impl<'a> Interner<'a> {
             SystemInstance::Routine(routine) => (self.order.routine(routine).0, None),
         };
         let attribute = value.attribute.number;
-        let same = |known: &SystemValueRecord| known.attribute == attribute && known.instance == instance;
-        let list = &mut self.tables.system_values;
-        if let Some(known) = list.iter().position(same) {
-            return SystemValueIndex(known as u16);
+        if let Some(known) = self.values.get(&(attribute, instance)) {
+            return SystemValueIndex(*known);
         }
-        list.push(SystemValueRecord { attribute, instance, first: self.next_value, program });
+        let index = self.tables.system_values.len() as u16;
+        self.tables.system_values.push(SystemValueRecord { attribute, instance, first: self.next_value, program });
         self.next_value += value.attribute.length;
-        SystemValueIndex((list.len() - 1) as u16)
+        self.values.insert((attribute, instance), index);
+        SystemValueIndex(index)
     }
 
     fn event_task(&mut self, task: &str) -> EventTaskIndex {
-        let list = &mut self.tables.event_tasks;
-        if let Some(known) = list.iter().position(|known| known == task) {
-            return EventTaskIndex(known as u16);
+        if let Some(known) = self.tasks.get(task) {
+            return EventTaskIndex(*known);
         }
-        list.push(task.to_owned());
-        EventTaskIndex((list.len() - 1) as u16)
+        let index = self.tables.event_tasks.len() as u16;
+        self.tables.event_tasks.push(task.to_owned());
+        self.tasks.insert(task.to_owned(), index);
+        EventTaskIndex(index)
     }
 
     fn expression(&mut self, expression: &Expression) -> OperandRecord {

@@ -205,7 +205,7 @@ pub(crate) fn operand(
         }
         OperandKind::SystemInstance => {
             let class = reader.text_of(before, 0);
-            let instance = system::instance(reader.context, &class, shown)?;
+            let instance = system::instance(reader.context, scope, &class, shown)?;
             simple(reader, instance)
         }
         OperandKind::SystemAttribute => {

@@ -44,7 +44,12 @@ pub(crate) fn class(shown: &tree::Operand) -> Result<Operand, Refusal> {
 }
 
 /// Reads the instance operand, which belongs to a class.
-pub(crate) fn instance(context: &Context<'_>, class: &str, shown: &tree::Operand) -> Result<Operand, Refusal> {
+pub(crate) fn instance(
+    context: &Context<'_>,
+    scope: Scope,
+    class: &str,
+    shown: &tree::Operand,
+) -> Result<Operand, Refusal> {
     let takes_one = ATTRIBUTES.iter().any(|attribute| attribute.class == class && attribute.has_instance);
     if !takes_one {
         return if shown.is_empty() {
@@ -65,8 +70,17 @@ pub(crate) fn instance(context: &Context<'_>, class: &str, shown: &tree::Operand
     let routines = &context.routine_names;
     let found = match class {
         "TASK" => context.safety_tasks.iter().find(is_it).cloned(),
-        "PROGRAM" => routines.program_spellings.iter().find(is_it).cloned(),
-        _ => routines.programs.iter().flatten().map(|(_, (_, name))| name).find(is_it).cloned(),
+        "PROGRAM" => {
+            let program = routines.program_names.get(&fold(&shown.text));
+            program.and_then(|program| routines.program_spellings.get(program.position())).cloned()
+        }
+        _ => {
+            let own = match scope {
+                Scope::Program(program) => routines.programs.get(program.position()),
+                Scope::AddOn(_) | Scope::Controller => None,
+            };
+            own.and_then(|names| names.get(&fold(&shown.text))).map(|(_, name)| name.clone())
+        }
     };
     match found {
         Some(name) => Ok(Operand::Text(name)),

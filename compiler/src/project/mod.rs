@@ -25,7 +25,7 @@ pub use add_on::{AddOn, Parameter};
 pub use controller::Profile;
 pub use module::Module;
 pub use program::{Program, Routine, RoutineOwner};
-pub use rung::{Branch, Call, Element, Instruction, OperandUse, Place, Rung};
+pub use rung::{Branch, Call, Element, Instruction, OpcodeSet, OperandUse, Place, Rung};
 pub use tag::{MapLine, Tag, TagClass, TagKind, TagScope};
 pub use task::Task;
 pub use types::Types;
@@ -94,6 +94,8 @@ pub struct Project {
     pub safety_task: Option<usize>,
     /// Places where a force is installed.
     pub forces: Vec<Span>,
+    /// Which instructions the safety logic holds, by opcode.
+    pub opcodes: OpcodeSet,
     /// What standard programs write.
     pub standard_writes: Vec<standard::StandardWrite>,
     /// Names of event tasks of class Standard.

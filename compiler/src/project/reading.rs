@@ -7,8 +7,8 @@ use twinrung_catalog::{Instruction as Declaration, OperandKind};
 use twinrung_grammar::tree::{self, CompactString, ReadError, Span};
 
 use super::{
-    AddOn, AddOnId, Branch, Call, Element, Instruction, OperandId, OperandUse, Profile, RoutineId, Rung, ScopeNames,
-    Tag, TagId, Types,
+    AddOn, AddOnId, Branch, Call, Element, Instruction, OpcodeSet, OperandId, OperandUse, Profile, RoutineId, Rung,
+    ScopeNames, Tag, TagId, Types,
 };
 use crate::diagnostic::{
     DUPLICATE_NAME, EMPTY_RUNG, Finding, Findings, OPERAND_COUNT, OPERAND_MISSING, OVER_LIMIT, reading_finding,
@@ -48,7 +48,7 @@ impl Refusal {
 }
 
 /// Suggestions of one run: looking through all names for each of many errors would take quadratic time.
-const SUGGESTIONS_MAX: u32 = 50;
+const SUGGESTIONS_MAX: u32 = 20;
 
 /// Everything that names are resolved against.
 pub(crate) struct Context<'a> {
@@ -199,6 +199,8 @@ impl Mnemonics {
 #[derive(Default)]
 pub(crate) struct Operands {
     pub table: Vec<Operand>,
+    /// Instructions that were read.
+    pub opcodes: OpcodeSet,
     /// References of the scope that is being read, by their text.
     references: Map<CompactString, OperandId>,
     /// Literals by their text.
@@ -411,6 +413,7 @@ impl<'a, 'c> RungReader<'a, 'c> {
         if faulty {
             return None;
         }
+        self.operands.opcodes.insert(declaration.opcode);
         Some(Instruction {
             call: Call::Catalog(declaration),
             operands: uses.into_boxed_slice(),
@@ -440,6 +443,11 @@ impl<'a, 'c> RungReader<'a, 'c> {
         let add_on = &self.context.add_ons[id.position()];
         let arguments: Vec<usize> =
             (0..add_on.parameters.len()).filter(|position| add_on.parameters[*position].argument).collect();
+        if shown.operands.len() > limits::OPERANDS_PER_INSTRUCTION {
+            let message = format!("an instruction has at most {} operands", limits::OPERANDS_PER_INSTRUCTION);
+            self.findings.push(Finding::new(&OVER_LIMIT, shown.span, message));
+            return None;
+        }
         if shown.operands.len() != arguments.len() + 1 {
             let names: Vec<&str> = arguments.iter().map(|at| add_on.parameters[*at].name.as_str()).collect();
             let message = format!(

@@ -5,6 +5,35 @@ use twinrung_grammar::tree::{RungKind, Span};
 
 use super::{AddOnId, OperandId, RoutineId};
 
+/// A set of opcodes.
+#[derive(Debug, Clone)]
+pub struct OpcodeSet {
+    has: [bool; 256],
+}
+
+impl Default for OpcodeSet {
+    fn default() -> OpcodeSet {
+        OpcodeSet { has: [false; 256] }
+    }
+}
+
+impl OpcodeSet {
+    /// Adds one.
+    pub fn insert(&mut self, opcode: Opcode) {
+        self.has[usize::from(opcode as u8)] = true;
+    }
+
+    /// Whether one of these is in it.
+    pub fn any(&self, opcodes: &[Opcode]) -> bool {
+        opcodes.iter().any(|opcode| self.has[usize::from(*opcode as u8)])
+    }
+
+    /// Whether a safety application instruction is in it.
+    pub fn any_safety(&self) -> bool {
+        Opcode::ALL.iter().any(|opcode| self.any(&[*opcode]) && opcode.instruction().safety.is_some())
+    }
+}
+
 /// A rung.
 #[derive(Debug)]
 pub struct Rung {

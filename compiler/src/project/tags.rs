@@ -10,7 +10,9 @@ use super::names_in_scope::{Found, ScopeNames};
 use super::tag::AliasTarget;
 use super::types::{TypeFault, TypeProblem, dimensions};
 use super::{Module, Tag, TagClass, TagId, TagKind, TagScope, Types};
-use crate::diagnostic::{BAD_NAME, BAD_TYPE, DUPLICATE_NAME, Finding, Findings, NOT_SUPPORTED, UNKNOWN_TYPE};
+use crate::diagnostic::{
+    BAD_NAME, BAD_TYPE, DUPLICATE_NAME, Finding, Findings, NOT_SUPPORTED, OVER_LIMIT, UNKNOWN_TYPE,
+};
 use crate::names::{RESERVED, closest, fold, name_fault};
 use crate::rules;
 
@@ -23,6 +25,8 @@ pub(crate) struct TagTable<'b, 'a> {
     pub findings: &'b mut Findings,
     /// What each alias designates: the operand, to be resolved when all names are known.
     pub aliases: Vec<(TagId, &'a tree::Operand)>,
+    /// Bit and word cells of the safety tags so far.
+    pub cells: (u64, u64),
     /// Whether a declaration that is there already is passed over in silence: what a context repeats.
     pub context: bool,
 }
@@ -120,12 +124,14 @@ impl<'a> TagTable<'_, 'a> {
         match outcome {
             Ok(type_reference) => {
                 let (bits, words) = self.types.cells(type_reference);
-                let count = elements(tag.dimensions).unwrap_or(1);
-                if u64::from(bits.max(words)) * u64::from(count) > u64::from(limits::BIT_CELLS) {
-                    let message = format!("`{}` is too large", tag.name);
-                    self.findings.push(Finding::new(&BAD_TYPE, tag.type_span, message));
+                let count = u64::from(elements(tag.dimensions).unwrap_or(1));
+                let cells = (self.cells.0 + u64::from(bits) * count, self.cells.1 + u64::from(words) * count);
+                if cells.0 > u64::from(limits::BIT_CELLS) || cells.1 > u64::from(limits::WORD_CELLS) {
+                    let message = format!("with `{}` the safety tags take more memory than an image has", tag.name);
+                    self.findings.push(Finding::new(&OVER_LIMIT, tag.type_span, message));
                     return;
                 }
+                self.cells = cells;
                 tag.type_reference = Some(type_reference);
                 if !shown.is_empty() {
                     tag.initial =

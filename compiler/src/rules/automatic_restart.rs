@@ -18,6 +18,9 @@ rule! {
 
 /// Every safety instruction with a restart choice.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any_safety() {
+        return;
+    }
     usage::instructions(project, &mut |_, instruction| {
         let Call::Catalog(declaration) = instruction.call else { return };
         if declaration.safety.is_none() {

@@ -38,6 +38,9 @@ struct Summary {
 
 /// Every call, those of Add-On Instructions through to the data that they are given.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any_safety() {
+        return;
+    }
     let mut summaries: Vec<Summary> = vec![Summary::default(); project.add_ons.len()];
     for add_on in in_call_order(project) {
         let mut seen = Map::default();

@@ -19,6 +19,12 @@ rule! {
 
 /// Writes into backing tags, and copies that reach them.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let backing = project.types.records().iter().enumerate().any(|(at, _)| {
+        project.types.layouts().get(at).is_some_and(|layout| layout.holds_backing)
+    });
+    if !backing {
+        return;
+    }
     usage::accesses(project, &mut |access| {
         let call = access.instruction.call;
         let is_own = matches!(call, Call::Catalog(declaration) if declaration.safety.is_some()) && access.operand == 0;

@@ -18,6 +18,9 @@ rule! {
 
 /// Every JMP to a rung that is not after it.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Jmp]) {
+        return;
+    }
     for routine in &project.routines {
         let mut labels: Map<&str, usize> = Map::default();
         let mut jumps = Vec::new();

@@ -17,6 +17,9 @@ rule! {
 
 /// Every rung with a safety instruction.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any_safety() {
+        return;
+    }
     usage::rungs(project, &mut |_, _, rung| {
         let mut boxes = false;
         rung.visit(&mut |instruction| {

@@ -32,6 +32,9 @@ fn bytes(project: &Project, reference: &Reference) -> Option<u32> {
 
 /// COP and FLL.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Cop, Opcode::Fll]) {
+        return;
+    }
     usage::instructions(project, &mut |_, instruction| {
         let Call::Catalog(declaration) = instruction.call else { return };
         if !matches!(declaration.opcode, Opcode::Cop | Opcode::Fll) {

@@ -19,6 +19,9 @@ rule! {
 
 /// References that end in such a member.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any_safety() {
+        return;
+    }
     usage::accesses(project, &mut |access| {
         let Some(Step::Member(member)) = access.reference.steps.last() else { return };
         let path = usage::types_on_path(project, access.reference);

@@ -15,6 +15,9 @@ rule! {
 
 /// Writes to tags of input modules.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.tags.iter().any(|tag| matches!(tag.kind, TagKind::ModuleInput(_))) {
+        return;
+    }
     usage::accesses(project, &mut |access| {
         let Some(id) = access.reference.base_tag().filter(|_| access.writes) else { return };
         let tag = project.tag(id);

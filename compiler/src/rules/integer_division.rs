@@ -1,6 +1,6 @@
 //! An integer division beside REAL. general-instructions.md A.9.
 
-use twinrung_catalog::Element;
+use twinrung_catalog::{Element, Opcode};
 
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::{BinaryOperator, Expression, Operand};
@@ -18,6 +18,9 @@ rule! {
 
 /// Expressions with both.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Cpt, Opcode::Cmp, Opcode::Fal, Opcode::Fsc]) {
+        return;
+    }
     usage::instructions(project, &mut |_, instruction| {
         let destination = instruction.operands.iter().any(|one| {
             project.operand(one.id).reference().is_some_and(|one| one.element() == Some(Element::Real))

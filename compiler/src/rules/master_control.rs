@@ -16,6 +16,9 @@ rule! {
 
 /// The zones of every routine.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Mcr]) {
+        return;
+    }
     for routine in &project.routines {
         let mut open = None;
         for rung in &routine.rungs {

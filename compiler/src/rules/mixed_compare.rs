@@ -18,6 +18,14 @@ rule! {
 
 /// Compare instructions with both.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let real = |operand: &Operand| match operand {
+        Operand::Real(_) => true,
+        Operand::Reference(reference) => reference.element() == Some(Element::Real),
+        _ => false,
+    };
+    if !project.operands.iter().any(real) {
+        return;
+    }
     usage::instructions(project, &mut |_, instruction| {
         let compares = matches!(
             instruction.call.opcode(),

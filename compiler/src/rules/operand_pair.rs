@@ -19,6 +19,9 @@ rule! {
 
 /// Every instruction with such operands.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Swpb, Opcode::Size]) && !project.opcodes.any_safety() {
+        return;
+    }
     let period_us = project.safety_task.and_then(|at| project.tasks[at].period_us);
     usage::instructions(project, &mut |_, instruction| {
         let Call::Catalog(declaration) = instruction.call else { return };

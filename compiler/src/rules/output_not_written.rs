@@ -17,6 +17,9 @@ rule! {
 /// Output tags of safety modules without a writer. What a tag that also resets faults of an input module holds may stay
 /// unwritten.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.tags.iter().any(|tag| matches!(tag.kind, TagKind::ModuleOutput(_))) {
+        return;
+    }
     let mut written: Set<TagId> = Set::default();
     usage::accesses(project, &mut |access| {
         if let (true, Some(tag)) = (access.writes, access.reference.base_tag()) {

@@ -19,6 +19,9 @@ rule! {
 
 /// Every RES against every TOF.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Tof]) {
+        return;
+    }
     let mut timers: Map<(LocationBase, Option<AddOnId>, u32), twinrung_grammar::tree::Span> = Map::default();
     let mut resets = Vec::new();
     usage::instructions(project, &mut |place, instruction| {

@@ -19,6 +19,9 @@ rule! {
 
 /// Storage bits against every writer.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Ons, Opcode::Osr, Opcode::Osf]) {
+        return;
+    }
     let mut storage: Map<CellKey, Span> = Map::default();
     let mut others: Vec<(CellKey, Span)> = Vec::new();
     usage::accesses(project, &mut |access| {

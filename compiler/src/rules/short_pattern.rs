@@ -18,6 +18,9 @@ rule! {
 
 /// Compare and math instructions that sign-extend.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.operands.iter().any(|one| matches!(one, Operand::Integer { radix, .. } if *radix != 10)) {
+        return;
+    }
     usage::instructions(project, &mut |_, instruction| {
         let Call::Catalog(declaration) = instruction.call else { return };
         if !matches!(declaration.group, Group::Compare | Group::Math) {

@@ -19,6 +19,9 @@ rule! {
 
 /// Input and consumed tags of which logic reads data and no status.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.tags.iter().any(|tag| matches!(tag.kind, TagKind::ModuleInput(_) | TagKind::Consumed)) {
+        return;
+    }
     let mut used: Map<TagId, Span> = Map::default();
     let mut watched: Set<TagId> = Set::default();
     usage::accesses(project, &mut |access| {

@@ -46,6 +46,9 @@ fn list(project: &Project, uses: &[OperandUse]) -> Vec<Passed> {
 
 /// Every JSR against the SBR and RETs of its routine.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Jsr, Opcode::Sbr, Opcode::Ret]) {
+        return;
+    }
     let mut signatures = vec![Signature::default(); project.routines.len()];
     let mut calls: Vec<(RoutineId, &Instruction)> = Vec::new();
     usage::instructions(project, &mut |place, instruction| {

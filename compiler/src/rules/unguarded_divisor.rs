@@ -18,6 +18,9 @@ rule! {
 
 /// Every DIV and MOD by a tag.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    if !project.opcodes.any(&[Opcode::Div, Opcode::Mod]) {
+        return;
+    }
     usage::rungs(project, &mut |_, _, rung| {
         rung.visit(&mut |instruction| {
             if !matches!(instruction.call.opcode(), Some(Opcode::Div | Opcode::Mod)) {

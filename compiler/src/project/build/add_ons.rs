@@ -2,6 +2,7 @@
 
 use twinrung_bytecode::image::{TypeReference, Usage};
 use twinrung_bytecode::index::AddOnIndex;
+use twinrung_bytecode::layout::elements;
 use twinrung_bytecode::limits;
 use twinrung_catalog::Element;
 use twinrung_grammar::tree::{self, Class, CompactString, Span};
@@ -198,6 +199,13 @@ fn build_one(
             findings.push(Finding::new(&ADD_ON_SHAPE, type_span, message).help("declare it InOut"));
         }
         let shape = dimensions(one.dimensions);
+        let cells = type_reference.map_or((0, 0), |reference| types.cells(reference));
+        let count = elements(shape).map_or(u64::MAX, u64::from);
+        if u64::from(cells.0.max(cells.1)).saturating_mul(count) > u64::from(limits::WORD_CELLS) {
+            let message = format!("the parameter `{}` is larger than any tag", one.name);
+            findings.push(Finding::new(&OVER_LIMIT, one.name.span, message));
+            continue;
+        }
         let own_member = (usage != Usage::InOut).then_some(member);
         let position = parameters.len() as u16;
         let meaning = match own_member {

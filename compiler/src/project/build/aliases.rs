@@ -2,7 +2,7 @@
 
 use twinrung_grammar::tree;
 
-use crate::diagnostic::{BAD_ALIAS, Finding, Findings};
+use crate::diagnostic::{BAD_ALIAS, Finding, Findings, OVER_LIMIT};
 use crate::names::{Map, Set};
 use crate::operand::{Scope, alias_target};
 use crate::project::names_in_scope::ScopeNames;
@@ -11,6 +11,9 @@ use crate::project::tag::AliasTarget;
 use crate::project::tags::settle_alias;
 use crate::project::{AddOn, Profile, Tag, TagClass, TagId, TagScope, Types};
 use crate::rules;
+
+/// Aliases that lead to each other: walkers of a chain may recurse this deep.
+const CHAIN_MAX: usize = 32;
 
 /// What aliases are resolved against.
 pub(super) struct Surroundings<'a> {
@@ -49,6 +52,7 @@ pub(super) fn resolve(
 ) {
     let operands: Map<TagId, &tree::Operand> = pending.iter().copied().collect();
     let mut done: Set<TagId> = Set::default();
+    let mut depths: Map<TagId, usize> = Map::default();
     for (first, _) in pending {
         // The chain from this alias to the first tag that is none, or is resolved.
         let mut chain: Vec<TagId> = Vec::new();
@@ -73,6 +77,15 @@ pub(super) fn resolve(
             if done.insert(id)
                 && let Some(operand) = operands.get(&id)
             {
+                let target = begins_with(surroundings, &tags[id.position()], operand);
+                let depth = target.and_then(|target| depths.get(&target)).map_or(1, |depth| depth + 1);
+                depths.insert(id, depth);
+                if depth > CHAIN_MAX {
+                    let message = format!("more than {CHAIN_MAX} aliases lead to each other");
+                    findings.push(Finding::new(&OVER_LIMIT, operand.span, message));
+                    tags[id.position()].class = TagClass::Safety;
+                    continue;
+                }
                 resolve_one(id, operand, tags, surroundings, slot_names, findings);
             }
         }

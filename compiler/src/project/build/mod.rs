@@ -64,6 +64,7 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         defaults: &mut defaults,
         findings,
         aliases: Vec::new(),
+        cells: (0, 0),
         context: false,
     };
     for (file, context) in inputs.files() {
@@ -141,6 +142,7 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         programs,
         routines,
         tags,
+        opcodes: operands.opcodes,
         operands: operands.table,
         modules: modules.into_iter().map(|(_, module)| module).collect(),
         map,

@@ -209,6 +209,11 @@ pub(super) fn read_rungs(
     shown_add_ons: &[&tree::AddOnInstruction],
     findings: &mut Findings,
 ) -> Vec<Vec<Rung>> {
+    let mut by_place: Map<(tree::SourceId, u32), &[ShownRung]> = Map::default();
+    let shown_routines = safety.iter().flat_map(|program| program.routines);
+    for routine in shown_routines.chain(shown_add_ons.iter().flat_map(|add_on| &add_on.routines)) {
+        by_place.insert((routine.name.span.source, routine.name.span.start), routine.rungs());
+    }
     let mut all = Vec::with_capacity(routines.len());
     let mut last_owner = None;
     let mut total = 0;
@@ -217,13 +222,12 @@ pub(super) fn read_rungs(
             operands.begin_scope();
             last_owner = Some(routine.owner);
         }
-        let (scope, shown): (Scope, &[tree::Routine]) = match routine.owner {
-            RoutineOwner::Program(program) => (Scope::Program(program), safety[program.position()].routines),
-            RoutineOwner::AddOn(add_on) => (Scope::AddOn(add_on), &shown_add_ons[add_on.position()].routines),
+        let scope = match routine.owner {
+            RoutineOwner::Program(program) => Scope::Program(program),
+            RoutineOwner::AddOn(add_on) => Scope::AddOn(add_on),
         };
         // Found by its place: two routines of one name were reported.
-        let rungs: &[ShownRung] =
-            shown.iter().find(|one| one.name.span == routine.span).map_or(&[], |routine| routine.rungs());
+        let rungs: &[ShownRung] = by_place.get(&(routine.span.source, routine.span.start)).copied().unwrap_or_default();
         total += rungs.len();
         if total > limits::RUNGS {
             let message = format!("there are more than {} rungs", limits::RUNGS);

@@ -4,7 +4,7 @@ use twinrung_grammar::tree::{Class, CompactString, Span};
 
 use super::Inputs;
 use crate::diagnostic::{DUPLICATE_NAME, Finding, Findings, UNKNOWN_PROGRAM};
-use crate::names::closest;
+use crate::names::{Map, Set, closest, fold};
 use crate::project::tags::class_of;
 use crate::project::task::Scheduled;
 use crate::project::{Program, ProgramId, TagClass, Task};
@@ -17,19 +17,24 @@ pub(super) fn build(
     findings: &mut Findings,
 ) -> (Vec<Task>, Vec<CompactString>) {
     let mut list: Vec<Task> = Vec::new();
+    let by_name: Map<CompactString, ProgramId> =
+        programs.iter().enumerate().map(|(at, program)| (fold(&program.name), ProgramId(at as u16))).collect();
+    let known_names: Set<CompactString> =
+        inputs.file.programs.iter().map(|program| fold(program.name.as_str())).collect();
+    let mut seen: Map<CompactString, Span> = Map::default();
     for shown in &inputs.file.tasks {
-        if let Some(first) = list.iter().find(|task| shown.name.is(&task.name)) {
+        if let Some(first) = seen.insert(fold(shown.name.as_str()), shown.name.span) {
             let message = format!("the task `{}` is declared twice", shown.name);
-            let finding =
-                Finding::new(&DUPLICATE_NAME, shown.name.span, message).label(first.span, "first declared here");
+            let finding = Finding::new(&DUPLICATE_NAME, shown.name.span, message).label(first, "first declared here");
             findings.push(finding.help("rename one of the two"));
             continue;
         }
         let class = shown.class.map_or(TagClass::Standard, |class| class_of(class.value));
         let mut schedule = Vec::new();
         for name in &shown.programs {
-            let program = programs.iter().position(|program| name.is(&program.name)).map(|at| ProgramId(at as u16));
-            let known = program.is_some() || inputs.file.programs.iter().any(|program| program.name.is(name.as_str()));
+            let folded = fold(name.as_str());
+            let program = by_name.get(&folded).copied();
+            let known = program.is_some() || known_names.contains(&folded);
             if !known {
                 let message = format!("the task schedules `{name}`, which is no program of this file");
                 let finding = Finding::new(&UNKNOWN_PROGRAM, name.span, message);
