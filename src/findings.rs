@@ -141,23 +141,18 @@ impl Report {
             Some("here".to_owned()).filter(|_| !finding.labels.is_empty()),
             range(finding.span),
         )];
-        let (near, far): (Vec<_>, Vec<_>) =
-            finding.labels.iter().partition(|label| label.span.source == here);
-        labels.extend(
-            near.iter().map(|label| LabeledSpan::new_with_span(Some(label.text.clone()), range(label.span))),
-        );
+        let (near, far): (Vec<_>, Vec<_>) = finding.labels.iter().partition(|label| label.span.source == here);
+        labels.extend(near.iter().map(|label| LabeledSpan::new_with_span(Some(label.text.clone()), range(label.span))));
         let elsewhere = far
             .iter()
-            .map(|label| {
-                Report {
-                    message: label.text.clone(),
-                    code: "",
-                    severity: miette::Severity::Advice,
-                    help: None,
-                    labels: vec![LabeledSpan::new_with_span(None, range(label.span))],
-                    source: quoted(sources, label.span.source),
-                    elsewhere: Vec::new(),
-                }
+            .map(|label| Report {
+                message: label.text.clone(),
+                code: "",
+                severity: miette::Severity::Advice,
+                help: None,
+                labels: vec![LabeledSpan::new_with_span(None, range(label.span))],
+                source: quoted(sources, label.span.source),
+                elsewhere: Vec::new(),
             })
             .collect();
         let message = match &finding.rung {
@@ -220,7 +215,8 @@ impl Diagnostic for Report {
     }
 
     fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn Diagnostic> + 'a>> {
-        (!self.elsewhere.is_empty())
-            .then(|| Box::new(self.elsewhere.iter().map(|report| report as &dyn Diagnostic)) as Box<dyn Iterator<Item = _>>)
+        (!self.elsewhere.is_empty()).then(|| {
+            Box::new(self.elsewhere.iter().map(|report| report as &dyn Diagnostic)) as Box<dyn Iterator<Item = _>>
+        })
     }
 }

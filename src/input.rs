@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use twinrung_bytecode::{AdmittedImage, ImageError, admit};
-use twinrung_compiler::{CheckedProject, Completion, CompiledImage, check, compile};
 use twinrung_compiler::diagnostic::Finding;
-use twinrung_grammar::tree::Sources;
+use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
 use twinrung_grammar::read_path;
+use twinrung_grammar::tree::Sources;
 
 /// What completes a partial export.
 #[derive(Debug, Clone, Default, Args)]
@@ -161,7 +161,8 @@ fn is_image(path: &Path) -> Result<bool, InputError> {
 /// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
 pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
     let compiled = compile(project).map_err(|finding| InputError::Defect(finding.message))?;
-    let image = admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
+    let image =
+        admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
     let bytes = compiled.bytes.clone();
     Ok((compiled, Loaded { image, bytes }))
 }

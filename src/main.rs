@@ -15,11 +15,15 @@ use clap::{Parser, Subcommand};
 
 /// Safety ladder logic: verify, compile, sign, and run it on two interpreters that compare every safety tag.
 #[derive(Debug, Parser)]
-#[command(version, about, after_help = "FILE is a .rll, .L5K or .L5X file, a folder that is one project, or an image.\n\
+#[command(
+    version,
+    about,
+    after_help = "FILE is a .rll, .L5K or .L5X file, a folder that is one project, or an image.\n\
 \n\
 First steps:\n  twinrung check  project.L5X                        a verdict in milliseconds\n  \
 twinrung run    samples/estop-with-contactors      what happens, scan by scan\n  \
-twinrung explain DCS                               what an instruction does, with its fault codes")]
+twinrung explain DCS                               what an instruction does, with its fault codes"
+)]
 struct Command {
     #[command(subcommand)]
     verb: Verb,

@@ -14,8 +14,10 @@ use crate::{failed, files};
 
 /// Arguments of `build`.
 #[derive(Debug, Args)]
-#[command(after_help = "The safety application signature covers the logic and the declarations, and stays the same across releases\n\
-of this tool; the image signature covers the bytes too. A signature says which program this is, not who made it.")]
+#[command(
+    after_help = "The safety application signature covers the logic and the declarations, and stays the same across releases\n\
+of this tool; the image signature covers the bytes too. A signature says which program this is, not who made it."
+)]
 pub struct Build {
     /// The project: .rll, .L5K, .L5X or a folder
     file: PathBuf,
@@ -34,13 +36,24 @@ pub fn run(arguments: &Build) -> io::Result<ExitCode> {
     };
     findings::print_human(&mut out, &read.sources, &read.findings, Terminal::of_stdout(), false)?;
     let Some(project) = &read.project else {
-        writeln!(out, "{}: {}; no image is written", arguments.file.display(), findings::summary(Count::of(&read.findings)))?;
+        writeln!(
+            out,
+            "{}: {}; no image is written",
+            arguments.file.display(),
+            findings::summary(Count::of(&read.findings))
+        )?;
         return Ok(ExitCode::from(1));
     };
     let (compiled, loaded) = input::compiled(project).map_err(failed)?;
     if let Some(path) = &arguments.output {
         files::write_whole(path, &compiled.bytes)?;
-        writeln!(out, "wrote {} ({} bytes, {} rungs)", path.display(), compiled.bytes.len(), loaded.image.rung_counts().iter().sum::<u32>())?;
+        writeln!(
+            out,
+            "wrote {} ({} bytes, {} rungs)",
+            path.display(),
+            compiled.bytes.len(),
+            loaded.image.rung_counts().iter().sum::<u32>()
+        )?;
     }
     let (application, image) = (loaded.image.application_signature(), loaded.image.image_signature());
     writeln!(out, "safety application signature  {}  {}", short_form(application), long_form(application))?;

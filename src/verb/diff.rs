@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use twinrung_bytecode::image::Image;
 use twinrung_bytecode::AdmittedImage;
+use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::{ProgramIndex, RoutineIndex};
 use twinrung_bytecode::signature::{Leaf, LeafKind, leaves, short_form};
 use twinrung_bytecode::text;

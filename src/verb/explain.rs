@@ -10,7 +10,9 @@ use twinrung_compiler::diagnostic;
 
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  twinrung explain S0001\n  twinrung explain DCS\n  twinrung explain 16#4001 --for DCS")]
+#[command(
+    after_help = "Examples:\n  twinrung explain S0001\n  twinrung explain DCS\n  twinrung explain 16#4001 --for DCS"
+)]
 pub struct Explain {
     /// A finding's code (S0101), a mnemonic (DCS), or the fault or diagnostic code that an instruction shows (16#4001)
     what: String,
@@ -86,7 +88,11 @@ fn shown_code(what: &str, mnemonic: &str) -> Result<String, String> {
     let mut page = String::new();
     for code in codes {
         let _ = writeln!(page, "{} {}", instruction.mnemonic, code_line(code));
-        let _ = writeln!(page, "  what happened: {}\n  what to do:    {}\n  origin:        {}", code.cause, code.remedy, code.origin);
+        let _ = writeln!(
+            page,
+            "  what happened: {}\n  what to do:    {}\n  origin:        {}",
+            code.cause, code.remedy, code.origin
+        );
     }
     Ok(page)
 }
@@ -137,7 +143,14 @@ pub fn instruction_page(instruction: &Instruction) -> String {
         }
         let _ = writeln!(page, "\nCodes");
         for code in safety.codes {
-            let _ = writeln!(page, "  {}\n      {}\n      -> {}  [{}]", code_line(code), code.cause, code.remedy, code.origin);
+            let _ = writeln!(
+                page,
+                "  {}\n      {}\n      -> {}  [{}]",
+                code_line(code),
+                code.cause,
+                code.remedy,
+                code.origin
+            );
         }
         let _ = writeln!(page, "\nSpecified in {}.", safety.reference);
     }

@@ -25,9 +25,11 @@ use crate::{failed, files};
 
 /// Arguments of `run`.
 #[derive(Debug, Args)]
-#[command(after_help = "Stimulus: CSV with the header time_ms,TAG,TAG...; a row holds until the next one, an empty cell leaves the tag as it was.\n\
+#[command(
+    after_help = "Stimulus: CSV with the header time_ms,TAG,TAG...; a row holds until the next one, an empty cell leaves the tag as it was.\n\
 Names: EStop.O1  Doors:I.Pt00Data  Program:Safety_Main.Step  Published:TAG  Controller:Mode  Controller:Fault\n\
-Exit code: 0 end reached, 1 refused, 2 unreadable, 3 nonrecoverable fault, 4 recoverable fault not handled.")]
+Exit code: 0 end reached, 1 refused, 2 unreadable, 3 nonrecoverable fault, 4 recoverable fault not handled."
+)]
 pub struct Run {
     /// The project: .rll, .L5K, .L5X, a folder, or an image
     file: PathBuf,
@@ -84,14 +86,17 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
     session.record(&names).map_err(failed)?;
     session.publish_also(&arguments.complete.outputs).map_err(failed)?;
     let period_ms = session.period_ms();
-    let until_ms = arguments.until.unwrap_or_else(|| {
-        stimulus.as_ref().map_or(0, Stimulus::last_ms) + PERIODS_AFTER_STIMULUS * period_ms
-    });
+    let until_ms = arguments
+        .until
+        .unwrap_or_else(|| stimulus.as_ref().map_or(0, Stimulus::last_ms) + PERIODS_AFTER_STIMULUS * period_ms);
     let begun = Instant::now();
     let outcome = with_progress(until_ms / period_ms + 1, |progress| session.until(until_ms, progress));
     let mut out = io::stdout().lock();
     if !arguments.quiet {
-        writeln!(out, "safety application {signature}, one scan every {period_ms} ms, both channels compared after each\n")?;
+        writeln!(
+            out,
+            "safety application {signature}, one scan every {period_ms} ms, both channels compared after each\n"
+        )?;
         let style = Style { columns: terminal.columns, colour: terminal.colour };
         out.write_all(diagram::draw(session.recording(), style).as_bytes())?;
         writeln!(out)?;
@@ -142,7 +147,12 @@ fn read_text(path: &Path) -> io::Result<String> {
 fn listed(list: &str) -> io::Result<Vec<String>> {
     let Some(path) = list.strip_prefix('@') else { return Ok(split_names(list)) };
     let text = read_text(Path::new(path))?;
-    Ok(text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_owned).collect())
+    Ok(text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with('#'))
+        .map(str::to_owned)
+        .collect())
 }
 
 /// Splits at commas outside brackets: `Levels[1,2],Motor` is two names.
@@ -201,7 +211,11 @@ fn report(out: &mut dyn Write, image: &Image, outcome: &Outcome, took: Duration)
         return Ok(ExitCode::SUCCESS);
     };
     let (fault_type, code) = reason.type_and_code();
-    writeln!(out, "stopped in scan {scan} at {time_ms} ms, outputs off: fault {fault_type}/{code}, {}", explained(image, reason))?;
+    writeln!(
+        out,
+        "stopped in scan {scan} at {time_ms} ms, outputs off: fault {fault_type}/{code}, {}",
+        explained(image, reason)
+    )?;
     Ok(ExitCode::from(match reason {
         StopReason::Safety(_) => NONRECOVERABLE,
         StopReason::Recoverable(_) => RECOVERABLE,
@@ -220,8 +234,12 @@ fn explained(image: &Image, reason: StopReason) -> String {
             other => format!("the channels differ: {other:?}"),
         },
         StopReason::Safety(SafetyFault::WatchdogExpired) => "the watchdog expired".to_owned(),
-        StopReason::Safety(SafetyFault::BudgetExceeded) => "the scan executed more instructions than its watchdog allows".to_owned(),
-        StopReason::Safety(SafetyFault::ImageCorrupted) => "the image in memory is not the one that was admitted".to_owned(),
+        StopReason::Safety(SafetyFault::BudgetExceeded) => {
+            "the scan executed more instructions than its watchdog allows".to_owned()
+        }
+        StopReason::Safety(SafetyFault::ImageCorrupted) => {
+            "the image in memory is not the one that was admitted".to_owned()
+        }
         StopReason::Recoverable(MajorFault { code, place }) => {
             format!("major fault 4/{code} at {}", place_words(image, place))
         }

@@ -14,7 +14,8 @@ const SCANS: u64 = 300;
 fn generated(generator: &Path, folder: &Path, rungs: &str, mix: &str) -> String {
     let scans = SCANS.to_string();
     let run = |program: &str, arguments: &[&str]| {
-        let output = Command::new(program).args(arguments).output().unwrap_or_else(|error| panic!("{program}: {error}"));
+        let output =
+            Command::new(program).args(arguments).output().unwrap_or_else(|error| panic!("{program}: {error}"));
         assert!(output.status.success(), "{program}: {}", String::from_utf8_lossy(&output.stderr));
         String::from_utf8(output.stdout).unwrap()
     };

@@ -26,13 +26,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ),
     (
         "twinrung-judge",
-        &[
-            "twinrung-compiler",
-            "twinrung-grammar",
-            "twinrung-catalog",
-            "twinrung-bytecode",
-            "twinrung-safety-partner",
-        ],
+        &["twinrung-compiler", "twinrung-grammar", "twinrung-catalog", "twinrung-bytecode", "twinrung-safety-partner"],
         &[],
     ),
     (
@@ -146,10 +140,12 @@ fn channels_when_all_their_dependencies_are_followed_then_neither_reaches_a_half
 #[test]
 fn trusted_crates_when_their_first_lines_are_read_then_they_are_no_std_and_forbid_unsafe_code() {
     let mut wrong = Vec::new();
-    for folder in ["vm/bytecode", "vm/primary", "vm/partner", "vm/controller"]
-        .into_iter()
-        .chain(["stdlib-safety/catalog", "stdlib-safety/primary", "stdlib-safety/partner", "stdlib-safety/vectors"])
-    {
+    for folder in ["vm/bytecode", "vm/primary", "vm/partner", "vm/controller"].into_iter().chain([
+        "stdlib-safety/catalog",
+        "stdlib-safety/primary",
+        "stdlib-safety/partner",
+        "stdlib-safety/vectors",
+    ]) {
         let top = read(&root().join(folder).join("src/lib.rs"));
         for line in ["#![no_std]", "#![forbid(unsafe_code)]"] {
             if !top.contains(line) {
@@ -182,7 +178,13 @@ fn requirements_when_the_tests_are_searched_then_each_is_named_by_one_and_none_i
     };
     let declared: BTreeSet<String> = files(&root().join("docs/spec"), ".md")
         .iter()
-        .flat_map(|path| read(path).lines().filter(|line| line.starts_with("- **REQ-")).flat_map(|line| ids(&line[..24.min(line.len())])).collect::<Vec<_>>())
+        .flat_map(|path| {
+            read(path)
+                .lines()
+                .filter(|line| line.starts_with("- **REQ-"))
+                .flat_map(|line| ids(&line[..24.min(line.len())]))
+                .collect::<Vec<_>>()
+        })
         .collect();
     let shown: BTreeSet<String> = files(&root(), ".rs")
         .iter()

@@ -38,11 +38,7 @@ fn random_stimulus() -> Stimulus {
     Stimulus {
         tags: vec![STOP.to_owned(), RESET.to_owned()],
         rows: (0..SCANS)
-            .map(|scan| StimulusRow {
-                line: scan + 2,
-                time_ms: scan * u64::from(PERIOD_MS),
-                cells: vec![bit(), bit()],
-            })
+            .map(|scan| StimulusRow { line: scan + 2, time_ms: scan * u64::from(PERIOD_MS), cells: vec![bit(), bit()] })
             .collect(),
     }
 }

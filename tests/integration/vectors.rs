@@ -110,7 +110,9 @@ fn expect_vectors(opcodes: &[Opcode]) {
                 });
                 match replay(subject, vector, period_ms) {
                     Ok(count) => scans += count,
-                    Err(error) => wrong.push(format!("{} {} ({period_ms} ms): {error}", instruction.mnemonic, vector.name)),
+                    Err(error) => {
+                        wrong.push(format!("{} {} ({period_ms} ms): {error}", instruction.mnemonic, vector.name))
+                    }
                 }
                 runs += 1;
             }

@@ -75,11 +75,7 @@ fn axis(out: &mut String, recording: &Recording, gutter: usize, per_column: usiz
     out.push('\n');
 }
 
-fn bars<'a>(
-    out: &mut String,
-    columns: impl Iterator<Item = impl Iterator<Item = &'a Value>>,
-    style: Style,
-) {
+fn bars<'a>(out: &mut String, columns: impl Iterator<Item = impl Iterator<Item = &'a Value>>, style: Style) {
     let mut coloured = false;
     for column in columns {
         let (mut on, mut off) = (false, false);

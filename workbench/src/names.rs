@@ -4,7 +4,7 @@ use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::image::{TagKind, TagRecord, TypeReference};
 use twinrung_bytecode::index::{BitCell, ProgramIndex, TagIndex, WordCell};
 use twinrung_bytecode::layout;
-use twinrung_bytecode::operand::{AccessType, OperandRecord, Reference, Shape, BitNumber};
+use twinrung_bytecode::operand::{AccessType, BitNumber, OperandRecord, Reference, Shape};
 use twinrung_catalog::Element;
 
 use crate::signal::{Signal, SignalError};
@@ -40,7 +40,9 @@ pub fn driven(image: &AdmittedImage, name: &str) -> Result<Signal, SignalError> 
     if let Some(line) = records.map.iter().find(|line| line.standard.eq_ignore_ascii_case(name)) {
         let tag = records.tags.get(line.safety.position());
         let reached = tag.and_then(|tag| start(image, tag, 0));
-        return reached.and_then(|reached| one_value(reached)).ok_or_else(|| SignalError::NotOneValue { name: name.to_owned() });
+        return reached
+            .and_then(|reached| one_value(reached))
+            .ok_or_else(|| SignalError::NotOneValue { name: name.to_owned() });
     }
     let signal = signal(image, name)?;
     let writes = image.program_writes();
@@ -75,10 +77,8 @@ fn tag_signal(image: &AdmittedImage, whole: &str, text: &str) -> Result<Signal, 
     };
     let end = text.find(['.', '[']).unwrap_or(text.len());
     let (name, mut rest) = text.split_at(end);
-    let (index, tag) = find(image, program, name).ok_or_else(|| SignalError::NoSuchTag {
-        name: whole.to_owned(),
-        close: closest(image, program, name),
-    })?;
+    let (index, tag) = find(image, program, name)
+        .ok_or_else(|| SignalError::NoSuchTag { name: whole.to_owned(), close: closest(image, program, name) })?;
     let _ = index;
     let mut reached = start(image, tag, 0).ok_or_else(|| SignalError::NotOneValue { name: whole.to_owned() })?;
     while !rest.is_empty() {

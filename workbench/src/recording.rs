@@ -27,9 +27,7 @@ impl Recording {
     pub fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut writer = csv::WriterBuilder::new().terminator(csv::Terminator::Any(b'\n')).from_writer(out);
         let as_io = |error: csv::Error| io::Error::other(error.to_string());
-        writer
-            .write_record(std::iter::once("time_ms").chain(self.names.iter().map(String::as_str)))
-            .map_err(as_io)?;
+        writer.write_record(std::iter::once("time_ms").chain(self.names.iter().map(String::as_str))).map_err(as_io)?;
         for row in &self.rows {
             let cells = std::iter::once(row.time_ms.to_string()).chain(row.values.iter().map(ToString::to_string));
             writer.write_record(cells).map_err(as_io)?;

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use twinrung_bytecode::AdmittedImage;
+use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::index::{BitCell, TagIndex, WordCell};
-use twinrung_bytecode::CellRange;
-use twinrung_controller::{Controller, StopReason};
 use twinrung_catalog::Element;
+use twinrung_controller::{Controller, StopReason};
 
 use crate::names;
 use crate::recording::{Recording, Row};
@@ -41,7 +41,9 @@ impl fmt::Display for RunError {
             RunError::Cell { line, error } => write!(f, "line {line}: {error}"),
             RunError::NoTask => f.write_str("the image has no safety task"),
             RunError::Load(error) => f.write_str(error),
-            RunError::Period(period_us) => write!(f, "a period of {period_us} us is not a whole number of milliseconds"),
+            RunError::Period(period_us) => {
+                write!(f, "a period of {period_us} us is not a whole number of milliseconds")
+            }
         }
     }
 }
@@ -97,8 +99,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
         if !period_us.is_multiple_of(1000) {
             return Err(RunError::Period(period_us));
         }
-        let mut controller =
-            Controller::load(image, bytes).map_err(|error| RunError::Load(error.to_string()))?;
+        let mut controller = Controller::load(image, bytes).map_err(|error| RunError::Load(error.to_string()))?;
         controller.power_up_in_run();
         Ok(Run {
             controller,

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
+use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::index::{BitCell, WordCell};
 use twinrung_catalog::Element;
 use twinrung_controller::{Controller, Mode};
-use twinrung_bytecode::channel::Channel;
 
 /// One value of a running controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

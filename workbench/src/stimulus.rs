@@ -97,8 +97,7 @@ impl Stimulus {
             let record = record.map_err(|error| StimulusError::Csv(error.to_string()))?;
             let line = record.position().map_or(0, csv::Position::line);
             let time = record.get(0).unwrap_or_default();
-            let time_ms =
-                time.parse().map_err(|_| StimulusError::Time { line, found: time.to_owned() })?;
+            let time_ms = time.parse().map_err(|_| StimulusError::Time { line, found: time.to_owned() })?;
             if rows.last().is_some_and(|before| before.time_ms >= time_ms) {
                 return Err(StimulusError::Order { line, time_ms });
             }

@@ -112,7 +112,8 @@ fn walk(types: &Types, type_reference: TypeReference, value: &mut Value, byte: u
             let boolean = type_reference == TypeReference::Element(Element::Bool);
             let step = if boolean { 0 } else { size(types, type_reference).0 };
             for (index, part) in parts.iter_mut().enumerate() {
-                let (byte, bit) = if boolean { (byte + index / 8, (index % 8) as u8) } else { (byte + step * index, 0) };
+                let (byte, bit) =
+                    if boolean { (byte + index / 8, (index % 8) as u8) } else { (byte + step * index, 0) };
                 walk(types, type_reference, part, byte, bit, bytes);
             }
         }
@@ -128,7 +129,11 @@ fn walk(types: &Types, type_reference: TypeReference, value: &mut Value, byte: u
 
 impl Judge<'_> {
     /// The first element that an operand of COP, FLL or GSV means: the first of an array named as a whole.
-    pub(crate) fn first_element(&mut self, frame: &Frame<'_>, operand: OperandUse) -> Result<(Target, Reference), Exit> {
+    pub(crate) fn first_element(
+        &mut self,
+        frame: &Frame<'_>,
+        operand: OperandUse,
+    ) -> Result<(Target, Reference), Exit> {
         let Operand::Reference(reference) = frame.project.operand(operand.id) else { panic!("not a reference") };
         let target = self.locate(frame, reference)?;
         let target = if reference.dimensions == [0; 3] { target } else { target.part(0) };

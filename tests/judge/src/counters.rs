@@ -1,8 +1,8 @@
 //! CTU, CTD and RES. general-instructions.md A.3.
 
 use twinrung_catalog::Opcode;
-use twinrung_catalog::types::base::{CONTROL, COUNTER, TIMER};
 use twinrung_catalog::PredefinedType;
+use twinrung_catalog::types::base::{CONTROL, COUNTER, TIMER};
 
 use crate::evaluator::Judge;
 use crate::memory::{Frame, Target, member};

@@ -2,10 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
+use twinrung_compiler::CheckedProject;
 use twinrung_compiler::operand::{Operand, SystemInstance};
 use twinrung_compiler::project::rung::Branch;
 use twinrung_compiler::project::{Call, Element, Instruction, OperandUse, Project, RoutineId, Rung, TagId};
-use twinrung_compiler::CheckedProject;
 
 use crate::memory::{Base, Frame, Memory, Target};
 use crate::value::Value;
@@ -293,7 +293,13 @@ impl<'p> Judge<'p> {
         Ok(condition)
     }
 
-    fn branch(&mut self, frame: &mut Frame<'p>, branch: &Branch, condition: bool, dead: &mut bool) -> Result<bool, Exit> {
+    fn branch(
+        &mut self,
+        frame: &mut Frame<'p>,
+        branch: &Branch,
+        condition: bool,
+        dead: &mut bool,
+    ) -> Result<bool, Exit> {
         let mut any = false;
         for leg in &branch.legs {
             any |= self.series(frame, leg, condition && !*dead, dead)?;
@@ -354,8 +360,7 @@ impl<'p> Judge<'p> {
         self.faulted = true;
         self.in_fault_routine = true;
         let zone = std::mem::take(&mut self.override_zone);
-        let frame =
-            Frame { project: self.project, instance: None, in_add_on: false, counts: true, ..frame.clone() };
+        let frame = Frame { project: self.project, instance: None, in_add_on: false, counts: true, ..frame.clone() };
         self.routine(&frame, handler)?;
         self.override_zone = zone;
         self.in_fault_routine = false;

@@ -100,9 +100,7 @@ impl Judge<'_> {
             self.overflow(frame);
         }
         Ok(match expression {
-            Expression::Reference(reference) => {
-                zero_filled(reference.element().unwrap_or(Element::Dint), integer)
-            }
+            Expression::Reference(reference) => zero_filled(reference.element().unwrap_or(Element::Dint), integer),
             _ => integer,
         })
     }
@@ -110,11 +108,8 @@ impl Judge<'_> {
 
 /// A relation between two numbers.
 pub(crate) fn related(relation: BinaryOperator, a: Number, b: Number, real: bool) -> bool {
-    let ordering = if real {
-        a.to_real().partial_cmp(&b.to_real())
-    } else {
-        Some(a.to_integer().0.cmp(&b.to_integer().0))
-    };
+    let ordering =
+        if real { a.to_real().partial_cmp(&b.to_real()) } else { Some(a.to_integer().0.cmp(&b.to_integer().0)) };
     match relation {
         BinaryOperator::Less => ordering.is_some_and(|order| order.is_lt()),
         BinaryOperator::LessOrEqual => ordering.is_some_and(|order| order.is_le()),

@@ -197,9 +197,7 @@ impl Judge<'_> {
                     for (subscript, size) in subscripts.iter().zip(dimensions) {
                         let value = match subscript {
                             Subscript::Constant(value) => i64::from(*value),
-                            Subscript::Expression(expression) => {
-                                i64::from(self.subscript_value(frame, expression)?)
-                            }
+                            Subscript::Expression(expression) => i64::from(self.subscript_value(frame, expression)?),
                         };
                         if value < 0 || value >= i64::from(size) {
                             return Err(Exit::Fault(20));

@@ -57,16 +57,10 @@ impl<'p> Judge<'p> {
     fn jump(&mut self, frame: &Frame<'p>, operands: &[OperandUse]) -> Result<Exit, Exit> {
         let Operand::Text(label) = self.operand(frame, operands[0]) else { panic!("no label") };
         let rungs = &frame.project.routine(RoutineId(frame.routine)).rungs;
-        let to = rungs
-            .iter()
-            .position(|rung| defines(frame, rung, label))
-            .ok_or(Exit::Fault(42))?;
+        let to = rungs.iter().position(|rung| defines(frame, rung, label)).ok_or(Exit::Fault(42))?;
         if to <= frame.rung as usize {
             let instance = frame.instance.as_ref().map(|instance| instance.target.clone());
-            let taken = self
-                .backward_jumps
-                .entry((frame.routine, frame.rung, frame.element, instance))
-                .or_default();
+            let taken = self.backward_jumps.entry((frame.routine, frame.rung, frame.element, instance)).or_default();
             if *taken >= limits::BACKWARD_JUMPS {
                 return Err(Exit::Fault(94));
             }
@@ -208,11 +202,8 @@ impl<'p> Judge<'p> {
             }
         }
         self.pass_arguments(frame, id, &target, operands, Usage::Input)?;
-        let inner = Frame {
-            instance: Some(Instance { target: target.clone(), in_out }),
-            in_add_on: true,
-            ..frame.clone()
-        };
+        let inner =
+            Frame { instance: Some(Instance { target: target.clone(), in_out }), in_add_on: true, ..frame.clone() };
         self.routine(&inner, routine)?;
         if let (true, Some(prescan)) = (frame.prescanning, definition.prescan) {
             self.routine(&Frame { prescanning: false, ..inner }, prescan)?;

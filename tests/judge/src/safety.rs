@@ -81,9 +81,8 @@ impl<'p> Judge<'p> {
             .find(|known| known.name.eq_ignore_ascii_case(&name))
             .unwrap_or_else(|| panic!("the ladder library has no {name}"));
         let instance_type = definition.instance_type.unwrap_or_else(|| panic!("{name} has no type"));
-        let zero = || {
-            Value::zero(&library.types, twinrung_bytecode::image::TypeReference::Structure(instance_type), [0; 3])
-        };
+        let zero =
+            || Value::zero(&library.types, twinrung_bytecode::image::TypeReference::Structure(instance_type), [0; 3]);
         let made = self.memory.library.len();
         let instance = self.library_instance(backing, zero);
         if self.memory.library.len() > made {
@@ -145,7 +144,8 @@ impl<'p> Judge<'p> {
 
     fn initialise_from(&mut self, instruction: &Instruction, instance: &Target) {
         let library = self.library;
-        let Some(Operand::Reference(structure)) = instruction.operands.first().map(|first| library.operand(first.id)) else {
+        let Some(Operand::Reference(structure)) = instruction.operands.first().map(|first| library.operand(first.id))
+        else {
             return;
         };
         let Root::Member(_, member) = structure.root else { return };
@@ -153,7 +153,9 @@ impl<'p> Judge<'p> {
         match instruction.call {
             Call::AddOn(id) => self.initialise(&library.add_ons[usize::from(id.0)], &target),
             Call::Catalog(declaration) => {
-                let Some(OperandKind::Structure(layout, _)) = declaration.operand(0).map(|first| first.kind) else { return };
+                let Some(OperandKind::Structure(layout, _)) = declaration.operand(0).map(|first| first.kind) else {
+                    return;
+                };
                 for (operand, declared) in instruction.operands.iter().zip(declaration.operands) {
                     if let (OperandKind::Pseudo(name), Operand::Integer { value, .. }) =
                         (declared.kind, library.operand(operand.id))
@@ -166,7 +168,8 @@ impl<'p> Judge<'p> {
     }
 
     fn parameter(&self, definition: &AddOn, instance: &Target, name: &str) -> Target {
-        let plain = |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
+        let plain =
+            |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_ascii_lowercase();
         let parameter = definition
             .parameters
             .iter()

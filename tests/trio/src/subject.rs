@@ -34,14 +34,20 @@ impl Subject {
         let reading = read(&mut sources, "subject.rll", text.as_bytes().to_vec());
         let checked = check(&reading, &Completion::default());
         let Some(project) = checked.project else {
-            return Err(checked.findings.iter().filter(|finding| finding.is_error()).map(|finding| line(&sources, finding)).collect());
+            return Err(checked
+                .findings
+                .iter()
+                .filter(|finding| finding.is_error())
+                .map(|finding| line(&sources, finding))
+                .collect());
         };
         Ok(Subject::from_project(project))
     }
 
     /// Compiles a checked project. Panics when the loader refuses what the compiler made: that is a defect of ours.
     pub fn from_project(project: CheckedProject) -> Subject {
-        let compiled = compile(&project).unwrap_or_else(|finding| panic!("a checked project does not compile: {finding:?}"));
+        let compiled =
+            compile(&project).unwrap_or_else(|finding| panic!("a checked project does not compile: {finding:?}"));
         let (bytes, tags, routines) = (compiled.bytes, compiled.tags, compiled.routines);
         let image = admit(&bytes).unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
         Subject { project, image, bytes, tags, routines }

@@ -2,11 +2,11 @@
 
 use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs};
+use twinrung_bytecode::image::TagKind;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, TagIndex, WordCell};
 use twinrung_bytecode::layout;
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Element;
-use twinrung_bytecode::image::TagKind;
 use twinrung_compiler::project::TagId;
 use twinrung_judge::{End, Judge};
 use twinrung_partner::Partner;
@@ -103,7 +103,9 @@ impl<'s> Trio<'s> {
         let signal = names::signal(&self.subject.image, name).unwrap_or_else(|error| panic!("{error}"));
         match signal {
             Signal::Bit(cell) => Value::Bool(plain_bits(&self.primary)[cell.position()] == 1),
-            Signal::Word(cell, Element::Real) => Value::Real(f32::from_bits(plain_words(&self.primary)[cell.position()] as u32)),
+            Signal::Word(cell, Element::Real) => {
+                Value::Real(f32::from_bits(plain_words(&self.primary)[cell.position()] as u32))
+            }
             Signal::Word(cell, _) => Value::Integer(plain_words(&self.primary)[cell.position()]),
             Signal::WordBit(cell, bit) => Value::Bool((plain_words(&self.primary)[cell.position()] >> bit) & 1 == 1),
             other => panic!("{other:?} is a value of the controller"),
@@ -246,7 +248,12 @@ fn status_words(channel: &impl Channel) -> String {
 }
 
 fn words_of_status(flags: [bool; 6], counts: [u64; 3]) -> String {
-    let flags: Vec<&str> = ["FS", "V", "Z", "N", "C", "MINOR"].into_iter().zip(flags).filter(|(_, on)| *on).map(|(name, _)| name).collect();
+    let flags: Vec<&str> = ["FS", "V", "Z", "N", "C", "MINOR"]
+        .into_iter()
+        .zip(flags)
+        .filter(|(_, on)| *on)
+        .map(|(name, _)| name)
+        .collect();
     let [minor, executed, cleared] = counts;
     format!("[{}] minor {minor} executed {executed} cleared {cleared}", flags.join(" "))
 }

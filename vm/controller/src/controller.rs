@@ -68,10 +68,7 @@ pub struct Controller<A: Channel, B: Channel> {
 impl<A: Channel, B: Channel> Controller<A, B> {
     /// Loads an admitted image into both channels. `bytes` are the sealed bytes that were admitted: the running check
     /// goes over them.
-    pub fn load(
-        image: AdmittedImage,
-        bytes: &[u8],
-    ) -> Result<Controller<A, B>, LoadError<A::LoadError, B::LoadError>> {
+    pub fn load(image: AdmittedImage, bytes: &[u8]) -> Result<Controller<A, B>, LoadError<A::LoadError, B::LoadError>> {
         let task = image.image().task.as_ref().ok_or(LoadError::NoTask)?;
         let budget = u64::from(task.watchdog_us).saturating_mul(limits::BUDGET_PER_MICROSECOND);
         let primary = A::load(&image).map_err(LoadError::Primary)?;
@@ -224,10 +221,7 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
         if !self.prescanned {
             self.prescanned = true;
-            let ends = (
-                self.primary.prescan(inputs, primary_observer),
-                self.partner.prescan(inputs, partner_observer),
-            );
+            let ends = (self.primary.prescan(inputs, primary_observer), self.partner.prescan(inputs, partner_observer));
             if let Some(reason) = self.judge(ends) {
                 return self.stop(reason);
             }
@@ -254,11 +248,7 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         }
         self.publish();
         clock.ended(Part::Publish);
-        ScanReport {
-            executed: true,
-            stopped: None,
-            instructions: self.primary.status().executed.wrapping_sub(before),
-        }
+        ScanReport { executed: true, stopped: None, instructions: self.primary.status().executed.wrapping_sub(before) }
     }
 
     fn pass_boundary(&mut self) {

@@ -18,12 +18,7 @@ pub(crate) struct ImageCheck {
 
 impl ImageCheck {
     pub(crate) fn new(bytes: &[u8]) -> ImageCheck {
-        ImageCheck {
-            bytes: bytes.to_vec(),
-            expected: Sha256::digest(bytes).into(),
-            hasher: Sha256::new(),
-            next: 0,
-        }
+        ImageCheck { bytes: bytes.to_vec(), expected: Sha256::digest(bytes).into(), hasher: Sha256::new(), next: 0 }
     }
 
     /// Hashes the next piece; false when a whole pass has given another hash.

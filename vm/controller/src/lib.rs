@@ -27,6 +27,8 @@ mod fault;
 mod image_check;
 mod mode;
 
+pub use twinrung_bytecode::CellRange;
+
 pub use clock::{NoClock, Part, ScanClock};
 pub use compare::Difference;
 pub use controller::{Controller, LoadError, ScanReport};

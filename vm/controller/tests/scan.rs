@@ -2,17 +2,17 @@
 
 use twinrung_bytecode::channel::{Channel, MajorFault, Place, Representation, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::{
-    ControllerRecord, Image, OperandTable, ProgramRecord, RoutineRecord, Owner, TagKind, TagRecord, TaskRecord,
+    ControllerRecord, Image, OperandTable, Owner, ProgramRecord, RoutineRecord, TagKind, TagRecord, TaskRecord,
     TypeReference,
 };
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, RoutineIndex, WordCell};
 use twinrung_bytecode::observer::Observer;
+use twinrung_bytecode::observer::Silent;
 use twinrung_bytecode::{AdmittedImage, admit, seal};
 use twinrung_catalog::Element;
 use twinrung_controller::{
     Controller, Difference, IMAGE_CHECK_BYTES_PER_SCAN, Mode, NoClock, Part, SafetyFault, ScanClock, StopReason,
 };
-use twinrung_bytecode::observer::Silent;
 
 /// What a fake channel does in its scans: the initial value of the tag `Behaviour` tells.
 const FAITHFUL: i32 = 0;
@@ -47,8 +47,7 @@ impl<const SECOND: bool> Fake<SECOND> {
 
 impl<const SECOND: bool> Channel for Fake<SECOND> {
     type LoadError = String;
-    const REPRESENTATION: Representation =
-        if SECOND { Representation::Complemented } else { Representation::Plain };
+    const REPRESENTATION: Representation = if SECOND { Representation::Complemented } else { Representation::Plain };
 
     fn load(image: &AdmittedImage) -> Result<Self, String> {
         let records = image.image();
@@ -141,7 +140,12 @@ fn sealed(behaviour: i32) -> Vec<u8> {
             revision: 20,
             attributes: Vec::new(),
         },
-        programs: vec![ProgramRecord { name: "Main".into(), main: Some(RoutineIndex(0)), fault: None, disabled: false }],
+        programs: vec![ProgramRecord {
+            name: "Main".into(),
+            main: Some(RoutineIndex(0)),
+            fault: None,
+            disabled: false,
+        }],
         tags: vec![
             tag("Behaviour", Element::Dint, TagKind::Base, 0, 0),
             tag("Count", Element::Dint, TagKind::Base, 0, 1),
