@@ -11,6 +11,7 @@ fn sealed() -> Vec<u8> {
     image_of(&read_whole(&project_path("samples/qualified-standard-data/project.rll"))).1
 }
 
+/// REQ-IMAGE-001
 #[test]
 fn image_when_any_bit_is_flipped_then_the_loader_refuses_it() {
     let mut bytes = sealed();
@@ -25,6 +26,7 @@ fn image_when_any_bit_is_flipped_then_the_loader_refuses_it() {
     assert!(admitted.is_empty(), "admitted with these bits flipped: {admitted:?}");
 }
 
+/// REQ-IMAGE-002
 #[test]
 fn image_when_a_bit_is_flipped_and_sealed_again_then_it_is_refused_or_both_channels_agree() {
     let original = sealed();

@@ -70,6 +70,7 @@ fn samples() -> Vec<String> {
     names
 }
 
+/// REQ-IMAGE-004
 #[test]
 fn samples_when_read_from_l5x_then_they_carry_the_same_application_signature() {
     let differing: Vec<String> = samples()
@@ -83,6 +84,7 @@ fn samples_when_read_from_l5x_then_they_carry_the_same_application_signature() {
     assert!(differing.is_empty(), "{differing:?}");
 }
 
+/// REQ-IMAGE-003
 #[test]
 fn samples_when_built_in_two_folders_then_the_images_are_the_same_bytes() {
     let elsewhere = tempfile::tempdir().unwrap();

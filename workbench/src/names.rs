@@ -41,7 +41,7 @@ pub fn driven(image: &AdmittedImage, name: &str) -> Result<Signal, SignalError> 
         let tag = records.tags.get(line.safety.position());
         let reached = tag.and_then(|tag| start(image, tag, 0));
         return reached
-            .and_then(|reached| one_value(reached))
+            .and_then(one_value)
             .ok_or_else(|| SignalError::NotOneValue { name: name.to_owned() });
     }
     let signal = signal(image, name)?;

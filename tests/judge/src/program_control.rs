@@ -85,12 +85,10 @@ impl<'p> Judge<'p> {
         let Operand::Integer { value: inputs, .. } = *self.operand(frame, operands[1]) else { panic!("no count") };
         let (inputs, returns) = operands[2..].split_at(inputs as usize);
         let program = &self.project.programs[usize::from(frame.program)];
-        if program.fault == Some(routine) {
-            if let [only] = inputs {
-                if let Number::Integer(number @ 990..=999) = self.number(frame, *only)? {
-                    return Err(Exit::Fault(number as u16));
-                }
-            }
+        if let (true, [only]) = (program.fault == Some(routine), inputs)
+            && let Number::Integer(number @ 990..=999) = self.number(frame, *only)?
+        {
+            return Err(Exit::Fault(number as u16));
         }
         let mut values = Vec::with_capacity(inputs.len());
         for operand in inputs {

@@ -195,6 +195,7 @@ fn stopped_in_third_scan(behaviour: i32) -> Option<StopReason> {
     report.stopped
 }
 
+/// REQ-SCAN-001, REQ-SCAN-008
 #[test]
 fn scan_when_channels_agree_then_outputs_follow_the_frozen_inputs() {
     let mut controller = running(FAITHFUL);
@@ -208,6 +209,7 @@ fn scan_when_channels_agree_then_outputs_follow_the_frozen_inputs() {
     assert_eq!(controller.word(COUNT), Some(2));
 }
 
+/// REQ-SCAN-002, REQ-SCAN-003
 #[test]
 fn scan_when_a_bit_differs_then_outputs_are_off_in_that_scan() {
     let difference = Difference::Bit(OUTPUT, 1, 0);
@@ -232,12 +234,14 @@ fn scan_when_a_fault_record_differs_then_outputs_are_off_in_that_scan() {
     assert_eq!(stopped_in_third_scan(DIFFERS_IN_RECORD), Some(StopReason::Safety(fault)));
 }
 
+/// REQ-SCAN-005
 #[test]
 fn scan_when_both_channels_fault_then_the_task_stops_with_14_2() {
     let reason = stopped_in_third_scan(FAULTS).unwrap();
     assert_eq!(reason.type_and_code(), (14, 2));
 }
 
+/// REQ-SCAN-004
 #[test]
 fn scan_when_the_budget_runs_out_then_the_task_stops_with_14_1() {
     let reason = stopped_in_third_scan(EXCEEDS_BUDGET).unwrap();
@@ -245,6 +249,7 @@ fn scan_when_the_budget_runs_out_then_the_task_stops_with_14_1() {
     assert_eq!(reason.type_and_code(), (14, 1));
 }
 
+/// REQ-SCAN-006
 #[test]
 fn scan_when_the_image_in_memory_changes_then_it_is_found_within_one_pass() {
     let bytes = sealed(FAITHFUL);
@@ -257,6 +262,7 @@ fn scan_when_the_image_in_memory_changes_then_it_is_found_within_one_pass() {
     assert_eq!(controller.published_bit(OUTPUT), Some(false));
 }
 
+/// REQ-SCAN-007
 #[test]
 fn mode_when_a_change_is_asked_for_then_it_acts_after_more_than_one_and_less_than_two_periods() {
     let mut controller = running(FAITHFUL);
@@ -293,6 +299,7 @@ impl ScanClock for Late {
     }
 }
 
+/// REQ-SCAN-004
 #[test]
 fn scan_when_the_clock_says_that_it_took_too_long_then_nothing_is_published() {
     let mut controller = running(FAITHFUL);
