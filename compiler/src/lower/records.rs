@@ -15,7 +15,7 @@ pub(super) fn controller(project: &Project) -> ControllerRecord {
             name: if project.name.is_empty() { "Controller".to_owned() } else { project.name.to_string() },
             processor: profile.controller.catalog_number.to_owned(),
             revision: profile.revision,
-            attributes: project.attributes.clone(),
+            attributes: settings(&project.attributes),
         },
         None => ControllerRecord::default(),
     }
@@ -144,7 +144,7 @@ pub(super) fn task(project: &Project, order: &Order) -> Option<TaskRecord> {
         name: task.name.to_string(),
         period_us: microseconds(task.period_us),
         watchdog_us: microseconds(task.watchdog_us.or(task.period_us)),
-        priority: task.priority,
+        priority: u8::try_from(task.priority.0).unwrap_or(u8::MAX),
         schedule: task.schedule.iter().filter_map(|one| one.program).map(|program| order.program(program)).collect(),
     })
 }

@@ -19,8 +19,8 @@ pub struct Task {
     pub period_us: Option<(u64, Span)>,
     /// Watchdog in µs.
     pub watchdog_us: Option<(u64, Span)>,
-    /// Priority, 1 highest.
-    pub priority: u8,
+    /// Priority, 1 highest, and where the declaration says it.
+    pub priority: (u32, Span),
     /// Whether it is not executed.
     pub inhibited: Option<Span>,
     /// What it runs, in order.

@@ -7,7 +7,7 @@ use twinrung_bytecode::limits;
 use twinrung_catalog::{Element, PredefinedType};
 use twinrung_grammar::tree::{self, CompactString, Span, Value};
 
-use crate::names::{Map, fold};
+use crate::names::{Map, Set, fold};
 
 /// Why a name is no type that safety data can have.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -284,6 +284,23 @@ impl Types {
     }
 
     fn build(&mut self, name: &str, drafts: Vec<Draft>, kind: TypeKind) -> Result<TypeIndex, TypeFault> {
+        let mut seen = Set::default();
+        for draft in &drafts {
+            let problem = if !is_component(&draft.name) {
+                "a member's name holds letters, digits and underscores only"
+            } else if !seen.insert(fold(&draft.name)) {
+                "two members have one name"
+            } else {
+                continue;
+            };
+            return Err(TypeFault { problem: TypeProblem::Shape(problem), member: Some(draft.span) });
+        }
+        if drafts.is_empty() {
+            return Err(TypeProblem::Shape("the type has no members").into());
+        }
+        if !name.split(':').all(|part| part.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')) {
+            return Err(TypeProblem::Shape("a type's name holds letters, digits and underscores only").into());
+        }
         if drafts.len() > limits::MEMBERS {
             return Err(TypeProblem::Shape("a type has too many members").into());
         }
@@ -326,6 +343,12 @@ impl Types {
         self.layouts.push(layout);
         Ok(TypeIndex((self.records.len() - 1) as u16))
     }
+}
+
+/// Whether an image can write this name.
+fn is_component(name: &str) -> bool {
+    let begins = name.bytes().next().is_some_and(|first| first.is_ascii_alphabetic() || first == b'_');
+    begins && name.len() <= limits::NAME_BYTES && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
 }
 
 /// Dimensions of the tree as an image has them.

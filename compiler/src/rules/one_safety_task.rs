@@ -1,6 +1,6 @@
 //! One safety task, periodic, that runs. 1756-RM093, safety task.
 
-use crate::diagnostic::{Finding, Findings, NO_TASK};
+use crate::diagnostic::{Finding, Findings, NO_TASK, VALUE_RANGE};
 use crate::project::{Project, TagClass};
 
 rule! {
@@ -29,6 +29,10 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     if let Some(span) = first.inhibited {
         let message = format!("the safety task `{}` is inhibited: it would not run", first.name);
         findings.push(Finding::new(&CODE, span, message).help("take InhibitTask away"));
+    }
+    if first.priority.0 > 15 {
+        let message = format!("no task has the priority {}", first.priority.0);
+        findings.push(Finding::new(&VALUE_RANGE, first.priority.1, message).help("write 1 (highest) to 15"));
     }
     for other in safety {
         let message = format!("`{}` is a second safety task", other.name);

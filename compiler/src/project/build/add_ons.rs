@@ -41,9 +41,10 @@ pub(super) fn declare<'a>(
             }
             let safety = inputs.library || shown.class.is_some_and(|class| class.value == Class::Safety);
             let meaning = if safety { Meaning::AddOn(AddOnId(list.len() as u16)) } else { Meaning::StandardAddOn };
-            if !mnemonics.add(shown.name.as_str(), meaning) {
+            let taken = safety && (types.knows(shown.name.as_str()) || Element::by_name(shown.name.as_str()).is_some());
+            if taken || !mnemonics.add(shown.name.as_str(), meaning) {
                 if !context && safety {
-                    let message = format!("`{}` is already the name of an instruction", shown.name);
+                    let message = format!("`{}` is already the name of an instruction or type", shown.name);
                     let finding = Finding::new(&DUPLICATE_NAME, shown.name.span, message);
                     findings.push(finding.help("rename the Add-On Instruction"));
                 }

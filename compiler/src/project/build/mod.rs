@@ -8,6 +8,7 @@ mod modules;
 mod programs;
 mod tasks;
 
+use twinrung_catalog::{Element, PredefinedType};
 use twinrung_grammar::tree::{self, Span};
 
 use super::data::Defaults;
@@ -187,7 +188,14 @@ fn declare_types(inputs: &Inputs<'_>, types: &mut Types, findings: &mut Findings
                 Some(_) => {}
                 None => {
                     seen.insert(folded, data_type.name.span);
-                    types.declare(data_type);
+                    let name = data_type.name.as_str();
+                    if PredefinedType::by_name(name).is_none() && Element::by_name(name).is_none() {
+                        types.declare(data_type);
+                    } else if data_type.type_class.as_ref().is_none_or(|class| class.is("User")) {
+                        let message = format!("`{name}` is the name of a predefined type");
+                        let finding = Finding::new(&DUPLICATE_NAME, data_type.name.span, message);
+                        findings.push(finding.help("give the type another name"));
+                    }
                 }
             }
         }

@@ -54,7 +54,7 @@ pub(super) fn build(
             task_type: shown.task_type.as_ref().map(|name| name.text.to_ascii_uppercase()).unwrap_or_default(),
             period_us: shown.rate_us.map(|rate| (rate.value, rate.span)),
             watchdog_us: shown.watchdog_us.map(|watchdog| (watchdog.value, watchdog.span)),
-            priority: shown.priority.map_or(10, |priority| u8::try_from(priority.value).unwrap_or(u8::MAX)),
+            priority: shown.priority.map_or((10, shown.name.span), |priority| (priority.value, priority.span)),
             inhibited: shown.inhibited.filter(|inhibited| inhibited.value).map(|inhibited| inhibited.span),
             schedule,
         });
@@ -81,7 +81,7 @@ pub(super) fn build(
             task_type: "PERIODIC".into(),
             period_us: Some((period_us, span)),
             watchdog_us: Some((watchdog_us, span)),
-            priority: 10,
+            priority: (10, span),
             inhibited: None,
             schedule: programs.iter().enumerate().map(scheduled).collect(),
         });
