@@ -169,7 +169,10 @@ fn sources_when_searched_then_they_hold_no_unfinished_marks() {
 
 #[test]
 fn requirements_when_the_tests_are_searched_then_each_is_named_by_one_and_none_is_invented() {
-    let is_id = |word: &&str| word.starts_with("REQ-") && word.len() > 4 && word.as_bytes().ends_with(b"0") | word.bytes().last().is_some_and(|last| last.is_ascii_digit());
+    let is_id = |word: &&str| {
+        let number = word.strip_prefix("REQ-").and_then(|rest| rest.rsplit_once('-')).map(|(_, number)| number);
+        number.is_some_and(|number| number.len() == 3 && number.bytes().all(|digit| digit.is_ascii_digit()))
+    };
     let ids = |text: &str| -> BTreeSet<String> {
         text.split(|c: char| !(c.is_ascii_uppercase() || c.is_ascii_digit() || c == '-'))
             .filter(is_id)

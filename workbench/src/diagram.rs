@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::recording::Recording;
+use crate::recording::{Recording, Row};
 use crate::signal::Value;
 
 /// How a diagram is drawn.
@@ -32,16 +32,19 @@ pub fn draw(recording: &Recording, style: Style) -> String {
     let names: Vec<String> = recording.names.iter().map(|name| shortened(name)).collect();
     let gutter = names.iter().map(|name| name.chars().count()).max().unwrap_or(0) + 2;
     let plot = style.columns.saturating_sub(gutter).max(LEAST_PLOT);
-    let per_column = recording.rows.len().div_ceil(plot).max(1);
-    axis(&mut out, recording, gutter, per_column);
+    let rows = recording.rows.len();
+    let columns: Vec<&[Row]> = match rows <= plot {
+        true => recording.rows.chunks(1).collect(),
+        false => (0..plot).map(|column| &recording.rows[column * rows / plot..(column + 1) * rows / plot]).collect(),
+    };
+    axis(&mut out, &columns, gutter);
     for (column, name) in names.iter().enumerate() {
         let pad = gutter - name.chars().count();
         let _ = write!(out, "{name}{:pad$}", "");
-        let values: Vec<&[_]> = recording.rows.chunks(per_column).collect();
         if matches!(recording.rows[0].values.get(column), Some(Value::Bool(_))) {
-            bars(&mut out, values.iter().map(|rows| rows.iter().filter_map(|row| row.values.get(column))), style);
+            bars(&mut out, columns.iter().map(|rows| rows.iter().filter_map(|row| row.values.get(column))), style);
         } else {
-            numbers(&mut out, values.iter().map(|rows| rows.last().and_then(|row| row.values.get(column))));
+            numbers(&mut out, columns.iter().map(|rows| rows.last().and_then(|row| row.values.get(column))));
         }
         out.push('\n');
     }
@@ -57,21 +60,19 @@ fn shortened(name: &str) -> String {
     format!("…{tail}")
 }
 
-fn axis(out: &mut String, recording: &Recording, gutter: usize, per_column: usize) {
-    let columns = recording.rows.len().div_ceil(per_column);
+fn axis(out: &mut String, columns: &[&[Row]], gutter: usize) {
     let _ = write!(out, "{:<gutter$}", "ms");
     let mut at = 0;
-    while at < columns {
-        let label = recording.rows[at * per_column].time_ms.to_string();
+    while let Some(first) = columns.get(at).and_then(|rows| rows.first()) {
+        let label = first.time_ms.to_string();
         let step = (label.len() + 2).next_multiple_of(10).max(10);
-        let room = step.min(columns - at);
+        let room = step.min(columns.len() - at);
         if label.len() < room || at == 0 {
             let _ = write!(out, "|{label:<width$}", width = room.saturating_sub(1));
         }
         at += step;
     }
-    let trimmed = out.trim_end().len();
-    out.truncate(trimmed);
+    out.truncate(out.trim_end().len());
     out.push('\n');
 }
 
@@ -117,12 +118,13 @@ fn numbers<'a>(out: &mut String, columns: impl Iterator<Item = Option<&'a Value>
         }
         out.push(pending.pop().unwrap_or('·'));
     }
+    // The last value has all the room that it needs.
+    out.extend(pending.chars().rev());
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::Row;
 
     fn recording(values: &[(u64, bool, i32)]) -> Recording {
         Recording {
@@ -151,5 +153,11 @@ mod tests {
         let rows: Vec<(u64, bool, i32)> = (0..40).map(|scan| (scan * 10, scan == 3, 0)).collect();
         let drawn = draw(&recording(&rows), Style { columns: 27, colour: false });
         assert_eq!(drawn.lines().nth(1), Some("Motor  ▁▒▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁"));
+    }
+
+    #[test]
+    fn diagram_when_the_last_value_is_long_then_it_is_written_whole() {
+        let drawn = draw(&recording(&[(0, false, 0), (10, false, 20487)]), Style { columns: 40, colour: false });
+        assert_eq!(drawn.lines().nth(2), Some("Step   020487"));
     }
 }

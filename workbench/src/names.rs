@@ -40,9 +40,7 @@ pub fn driven(image: &AdmittedImage, name: &str) -> Result<Signal, SignalError> 
     if let Some(line) = records.map.iter().find(|line| line.standard.eq_ignore_ascii_case(name)) {
         let tag = records.tags.get(line.safety.position());
         let reached = tag.and_then(|tag| start(image, tag, 0));
-        return reached
-            .and_then(one_value)
-            .ok_or_else(|| SignalError::NotOneValue { name: name.to_owned() });
+        return reached.and_then(one_value).ok_or_else(|| SignalError::NotOneValue { name: name.to_owned() });
     }
     let signal = signal(image, name)?;
     let writes = image.program_writes();
