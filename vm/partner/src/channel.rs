@@ -1,6 +1,8 @@
 //! The partner as the controller sees it.
 
-use twinrung_bytecode::AdmittedImage;
+use alloc::format;
+
+use twinrung_bytecode::{AdmittedImage, admit_library};
 use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, WordCell};
@@ -8,7 +10,7 @@ use twinrung_bytecode::layout::TypeLayout;
 use twinrung_bytecode::observer::Observer;
 
 use crate::ladder::Ladder;
-use crate::load::{LoadError, Unit, load};
+use crate::load::{LoadError, Unit, load, needs_library};
 use crate::state::{RECORD_WORDS, State};
 use crate::walk::Walker;
 
@@ -48,7 +50,13 @@ impl Channel for Partner {
     const REPRESENTATION: Representation = Representation::Complemented;
 
     fn load(image: &AdmittedImage) -> Result<Partner, LoadError> {
-        Partner::from_records(image.image(), image.layouts(), None)
+        let records = image.image();
+        if !needs_library(records) {
+            return Partner::from_records(records, image.layouts(), None);
+        }
+        let library = admit_library(twinrung_safety_partner::LIBRARY)
+            .map_err(|error| LoadError::LibraryImage(format!("{error}")))?;
+        Partner::from_records(records, image.layouts(), Some((library.image(), library.layouts())))
     }
 
     fn reset(&mut self) {
@@ -60,6 +68,7 @@ impl Channel for Partner {
         self.state.begin();
         self.state.status = crate::state::Flags::default();
         self.state.cleared_faults = 0;
+        self.state.records.fill([0; RECORD_WORDS]);
         self.state.memory.set_all_stamps(inputs.now_ms);
         self.set_first_scan(false);
         self.state.armed = true;

@@ -191,8 +191,6 @@ pub(crate) enum Operation {
         operator: u8,
         /// Whether arithmetic is REAL.
         real: bool,
-        /// Whether an overflow makes the subscript invalid.
-        subscript: bool,
     },
 }
 
@@ -290,8 +288,6 @@ pub(crate) struct Subroutine {
 pub(crate) struct SystemValue {
     /// First position in the values of a scan.
     pub(crate) first: u32,
-    /// Type of one element.
-    pub(crate) element: Element,
     /// Elements.
     pub(crate) length: u32,
     /// For MajorFaultRecord: whose.

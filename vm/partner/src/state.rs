@@ -81,7 +81,9 @@ pub(crate) struct State {
     pub(crate) frames: Vec<Frame>,
     /// Places of the arguments of calls that are at work.
     pub(crate) bound: Vec<Bound>,
-    /// Bytes on their way in COP, GSV and SSV.
+    /// Parameters on their way from JSR to SBR and from RET to JSR.
+    pub(crate) passed: Vec<Value>,
+    /// Bytes on their way in COP.
     pub(crate) bytes: Vec<u8>,
     /// Values of an expression.
     pub(crate) values: Vec<Value>,
@@ -118,6 +120,7 @@ impl State {
             visited: vec![false; ladder.bodies.len()],
             frames: Vec::with_capacity(FRAMES),
             bound: Vec::with_capacity(arguments(longest)),
+            passed: vec![Value::default(); parameter_cells(ladder)],
             bytes: vec![0; limits::COPY_BYTES as usize],
             values: vec![Value::default(); VALUES],
             addresses: vec![Address::default(); ADDRESSES],
@@ -186,4 +189,17 @@ impl State {
     pub(crate) fn log_minor_fault(&mut self) {
         self.status.minor_faults = self.status.minor_faults.wrapping_add(1);
     }
+}
+
+/// Cells of the longest parameter list of a JSR.
+fn parameter_cells(ladder: &Ladder) -> usize {
+    let cells = |argument: &Argument| match argument {
+        Argument::Span(span) => ladder.spans.get(*span as usize).map_or(1, |span| {
+            (span.bits.saturating_add(span.words) as usize).saturating_mul(span.count as usize).max(1)
+        }),
+        _ => 1,
+    };
+    let list = |arguments: &[Argument]| arguments.iter().map(cells).fold(0, usize::saturating_add);
+    let lists = ladder.subroutines.iter().flat_map(|call| [list(&call.receivers), list(&call.returns)]);
+    lists.max().unwrap_or(0)
 }

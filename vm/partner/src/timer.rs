@@ -44,7 +44,7 @@ pub(crate) fn on_delay(state: TimerState, input: bool, now_ms: i64) -> TimerStat
         done,
         preset: state.preset,
         accumulated: select(input, select(counting, stepped, state.accumulated), 0),
-        last_time: select_time(input & (!state.done | state.enabled), now_ms, state.last_time),
+        last_time: select_time(input, now_ms, state.last_time),
     }
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn retentive(state: TimerState, input: bool, now_ms: i64) -> TimerSta
         done,
         preset: state.preset,
         accumulated: select(counting, stepped, state.accumulated),
-        last_time: select_time(input & (!state.done | state.enabled), now_ms, state.last_time),
+        last_time: select_time(input, now_ms, state.last_time),
     }
 }
 

@@ -195,7 +195,8 @@ impl<'a> Loader<'a> {
                 let counter = match target {
                     Some(target) if target <= rung => {
                         let next = self.counters.len() as u32;
-                        *self.counters.entry((context.library, job.routine, rung, element)).or_insert(next)
+                        let instance = context.instance.first_cells();
+                        *self.counters.entry((instance, job.routine, rung, element)).or_insert(next)
                     }
                     _ => NONE,
                 };

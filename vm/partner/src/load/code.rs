@@ -88,3 +88,14 @@ pub(crate) fn zones(image: &Image) -> Vec<bool> {
     }
     zones
 }
+
+/// Whether a safety application instruction stands anywhere.
+pub(crate) fn needs_library(image: &Image) -> bool {
+    image.routines.iter().any(|routine| {
+        let mut cursor = Cursor::new(&routine.code);
+        core::iter::from_fn(|| item(&mut cursor)).any(|item| match item {
+            Item::Instruction(opcode, _) => opcode.instruction().group.is_safety_library(),
+            _ => false,
+        })
+    })
+}

@@ -19,6 +19,7 @@ use twinrung_bytecode::index::{ProgramIndex, RoutineIndex};
 use twinrung_bytecode::layout::TypeLayout;
 use twinrung_catalog::instructions::system::ATTRIBUTES;
 
+pub(crate) use code::needs_library;
 pub use error::LoadError;
 pub(crate) use operand::{ADDRESSES, VALUES};
 
@@ -65,8 +66,8 @@ pub(crate) struct Loader<'a> {
     bodies: Vec<Body>,
     calls: Vec<Call>,
     jumps: Vec<Jump>,
-    /// Counters of backward jumps, by the instruction that they belong to.
-    counters: BTreeMap<(bool, RoutineIndex, u32, u16), u32>,
+    /// Counters of backward jumps, by the instruction that they belong to and its instance.
+    counters: BTreeMap<(Option<(u32, u32)>, RoutineIndex, u32, u16), u32>,
     subroutines: Vec<Subroutine>,
     /// The body of each routine of a program.
     routine_bodies: Vec<Option<BodyIndex>>,
@@ -173,7 +174,6 @@ impl<'a> Loader<'a> {
                 let is_record = attribute.is_some_and(|attribute| attribute.name == "MajorFaultRecord");
                 SystemValue {
                     first: record.first,
-                    element: attribute.map_or(twinrung_catalog::Element::Dint, |attribute| attribute.element),
                     length: attribute.map_or(0, |attribute| attribute.length),
                     record_of: record.program.filter(|_| is_record),
                 }

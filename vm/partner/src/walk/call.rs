@@ -57,8 +57,9 @@ impl<O: Observer> Walker<'_, O> {
         self.copy_out(call);
         let output = self.state.memory.bit(call.enable_out);
         self.pop_frame();
-        let prescan = self.frame.mode == Mode::Prescan;
-        self.finish_call(output && !prescan);
+        // Behind a cleared fault the rest of the rung is false, whatever EnableOut says.
+        let lives = self.frame.mode == Mode::Normal && self.frame.dead == 0;
+        self.finish_call(output && lives);
     }
 
     /// After the prescan of Logic the Prescan routine runs, with true rungs.

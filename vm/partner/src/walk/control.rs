@@ -68,31 +68,106 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// Copies by value: a scalar converted as MOV does with S:V alone, a structure cell by cell.
+    /// Copies a scalar by value, converted as MOV does with S:V alone.
     pub(super) fn pass(&mut self, from: Bound, to: Bound) {
-        match (to.location, to.argument) {
-            (Location::Bit(_) | Location::WordBit(..), _) => {
+        match to.location {
+            Location::Bit(_) | Location::WordBit(..) => {
                 let value = self.bound_bit(from);
                 self.write_bit(to.location, value);
             }
-            (Location::Word(..), _) => {
+            Location::Word(..) => {
                 let value = self.bound_value(from);
                 self.store_value(to.location, value);
             }
-            (Location::Region { bit, word, .. }, Argument::Span(span)) => {
-                let Location::Region { bit: from_bit, word: from_word, .. } = from.location else { return };
-                let Some(span) = self.ladder.spans.get(span as usize).copied() else { return };
-                for number in 0..span.bits.saturating_mul(span.count) {
-                    let value = self.state.memory.bit(from_bit.wrapping_add(number));
-                    self.write_bit_cell(bit.wrapping_add(number), value);
+            Location::Region { .. } => {}
+        }
+    }
+
+    /// Copies parameters of JSR or RET by value: all are read before the first is written.
+    fn pass_all(&mut self, from: usize, to: usize, count: usize) {
+        let mut next = 0usize;
+        for number in 0..count {
+            let to = self.bound(to.saturating_add(number));
+            next = self.read_parameter(self.bound(from.saturating_add(number)), to, next);
+        }
+        next = 0;
+        for number in 0..count {
+            next = self.write_parameter(self.bound(to.saturating_add(number)), next);
+        }
+    }
+
+    /// Cells of a parameter that is passed as a whole: bits, then words.
+    fn parameter_cells(&self, to: Bound) -> (u32, u32) {
+        match to.argument {
+            Argument::Span(span) => self.ladder.spans.get(span as usize).map_or((0, 0), |span| {
+                (span.bits.saturating_mul(span.count), span.words.saturating_mul(span.count))
+            }),
+            _ => (0, 0),
+        }
+    }
+
+    fn hold(&mut self, next: &mut usize, value: Value) {
+        if let Some(place) = self.state.passed.get_mut(*next) {
+            *place = value;
+        }
+        *next = next.saturating_add(1);
+    }
+
+    fn held(&self, next: &mut usize) -> Value {
+        let value = self.state.passed.get(*next).copied().unwrap_or_default();
+        *next = next.saturating_add(1);
+        value
+    }
+
+    fn read_parameter(&mut self, from: Bound, to: Bound, mut next: usize) -> usize {
+        match (to.location, from.location) {
+            (Location::Bit(_) | Location::WordBit(..), _) => {
+                let value = self.bound_bit(from);
+                self.hold(&mut next, Value::dint(i32::from(value)));
+            }
+            (Location::Word(..), _) => {
+                let value = self.bound_value(from);
+                self.hold(&mut next, value);
+            }
+            (Location::Region { .. }, Location::Region { bit, word, .. }) => {
+                let (bits, words) = self.parameter_cells(to);
+                for number in 0..bits {
+                    let value = self.state.memory.bit(bit.wrapping_add(number));
+                    self.hold(&mut next, Value::dint(i32::from(value)));
                 }
-                for number in 0..span.words.saturating_mul(span.count) {
-                    let value = self.state.memory.word(from_word.wrapping_add(number));
-                    self.write_word_cell(word.wrapping_add(number), value);
+                for number in 0..words {
+                    let value = self.state.memory.word(word.wrapping_add(number));
+                    self.hold(&mut next, Value::dint(value));
                 }
             }
-            _ => {}
+            (Location::Region { .. }, _) => {}
         }
+        next
+    }
+
+    fn write_parameter(&mut self, to: Bound, mut next: usize) -> usize {
+        match to.location {
+            Location::Bit(_) | Location::WordBit(..) => {
+                let value = self.held(&mut next);
+                self.write_bit(to.location, value.bits != 0);
+            }
+            Location::Word(..) => {
+                let value = self.held(&mut next);
+                self.store_value(to.location, value);
+            }
+            Location::Region { bit, word, .. } => {
+                let (bits, words) = self.parameter_cells(to);
+                for number in 0..bits {
+                    let value = self.held(&mut next);
+                    self.write_bit_cell(bit.wrapping_add(number), value.bits != 0);
+                }
+                for number in 0..words {
+                    let value = self.held(&mut next);
+                    self.write_word_cell(word.wrapping_add(number), value.bits);
+                }
+            }
+        }
+        next
     }
 
     /// An instruction that may leave its rung or body.
@@ -145,18 +220,14 @@ impl<O: Observer> Walker<'_, O> {
         let arguments = call.inputs.iter().chain(&call.returns).chain(&call.receivers).copied();
         let first = self.bind_all(arguments)?;
         if call.fault_routine && call.inputs.len() == 1 {
-            let number = self.bound_value(self.bound(first)).to_dint().0;
-            if USER_FAULTS.contains(&number) {
+            let number = self.bound_value(self.bound(first));
+            if !number.is_real() && USER_FAULTS.contains(&number.bits) {
                 self.state.bound.truncate(first);
-                return Err(Fault(number as u16));
+                return Err(Fault(number.bits as u16));
             }
         }
         let receivers = first.saturating_add(call.inputs.len()).saturating_add(call.returns.len());
-        for number in 0..call.receivers.len() {
-            let from = self.bound(first.saturating_add(number));
-            let to = self.bound(receivers.saturating_add(number));
-            self.pass(from, to);
-        }
+        self.pass_all(first, receivers, call.receivers.len());
         self.begin(call.body, Mode::Normal, Link::Subroutine(step.first), first)
     }
 
@@ -170,11 +241,7 @@ impl<O: Observer> Walker<'_, O> {
         }
         let first = self.bind_all(arguments.iter().copied())?;
         let destinations = (self.frame.bound as usize).saturating_add(call.inputs.len());
-        for number in 0..call.returns.len() {
-            let from = self.bound(first.saturating_add(number));
-            let to = self.bound(destinations.saturating_add(number));
-            self.pass(from, to);
-        }
+        self.pass_all(first, destinations, call.returns.len());
         Ok(())
     }
 

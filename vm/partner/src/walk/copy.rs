@@ -23,8 +23,13 @@ pub(super) struct Stretch {
 
 impl Stretch {
     /// Bytes of an element.
-    pub(super) const fn bytes(&self) -> u32 {
+    const fn bytes(&self) -> u32 {
         self.span.bytes
+    }
+
+    /// The word of an element of an elementary type.
+    pub(super) fn element_place(&self, number: u32) -> Location {
+        Location::Word(element_cells(self, number).1, self.element)
     }
 }
 
@@ -46,12 +51,12 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// Whether so many bytes fit on their way.
-    pub(super) fn has_room(&self, bytes: u32) -> bool {
+    fn has_room(&self, bytes: u32) -> bool {
         bytes as usize <= self.state.bytes.len()
     }
 
     /// Collects the bytes of elements from their cells; bytes without a member are 0.
-    pub(super) fn gather(&mut self, stretch: &Stretch, elements: u32) {
+    fn gather(&mut self, stretch: &Stretch, elements: u32) {
         let ladder = self.ladder;
         let span = &stretch.span;
         let total = span.bytes.saturating_mul(elements) as usize;
@@ -83,7 +88,7 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     /// Spreads bytes over the cells of elements; bytes without a member are dropped.
-    pub(super) fn scatter(&mut self, stretch: &Stretch, elements: u32) {
+    fn scatter(&mut self, stretch: &Stretch, elements: u32) {
         let ladder = self.ladder;
         let span = &stretch.span;
         let first = span.first_field as usize;
@@ -145,8 +150,7 @@ impl<O: Observer> Walker<'_, O> {
             return Err(SUBSCRIPT);
         }
         for number in 0..length {
-            let (_, word) = element_cells(&destination, number);
-            self.store_value(Location::Word(word, destination.element), value);
+            self.store_value(destination.element_place(number), value);
         }
         Ok(input)
     }

@@ -40,7 +40,7 @@ impl<O: Observer> Walker<'_, O> {
         let place = self.place();
         self.record(fault, place);
         let handler = self.ladder.programs.get(self.program.position()).and_then(|program| program.fault);
-        let first = !self.state.faulted && !self.state.in_fault_routine;
+        let first = !self.state.faulted && !self.state.in_fault_routine && !self.prescanning;
         self.state.faulted = true;
         let end = Some(ScanEnd::MajorFault(MajorFault { code: fault.0, place }));
         let Some(handler) = handler.filter(|_| first) else { return end };

@@ -68,18 +68,11 @@ impl<O: Observer> Walker<'_, O> {
         let cells = self.structure(control)?;
         let blocked = self.member_bit(cells, if work.searches() { IN } else { ER });
         match mode {
-            FileMode::Numeric(count) => {
-                if !blocked {
-                    self.numeric(cells, work, count, input)?;
-                }
-            }
-            FileMode::All | FileMode::Incremental => {
-                if !input {
-                    self.ends(cells);
-                } else if !blocked {
-                    self.edge(cells, work, mode)?;
-                }
-            }
+            _ if blocked => {}
+            FileMode::Numeric(count) => self.numeric(cells, work, count, input)?,
+            FileMode::All | FileMode::Incremental if !input => self.ends(cells),
+            FileMode::All => self.edge(cells, work, u32::MAX)?,
+            FileMode::Incremental => self.edge(cells, work, 1)?,
         }
         Ok(input)
     }
@@ -93,23 +86,20 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// A true rung in ALL and INC mode.
-    fn edge(&mut self, cells: Cells, work: Work, mode: FileMode) -> Result<(), Fault> {
-        let all = mode == FileMode::All;
-        let count = if all { u32::MAX } else { 1 };
+    /// A true rung in ALL mode, or in INC mode where `count` is 1 (REQ-EXEC-070).
+    fn edge(&mut self, cells: Cells, work: Work, count: u32) -> Result<(), Fault> {
+        let all = count > 1;
+        let hit = work.searches() && self.member_bit(cells, FD);
         if self.member_bit(cells, EN) {
-            let goes_on = all && self.stands_on_a_hit(cells, work);
-            if goes_on {
-                self.check_control(cells)?;
+            if all && hit && !self.member_bit(cells, DN) {
                 self.leave_hit(cells);
-                self.run(cells, work, count)?;
+                return self.run(cells, work, count);
             }
             return Ok(());
         }
-        self.check_control(cells)?;
-        if all || self.member_bit(cells, DN) {
+        if all {
             self.set_member_word(cells, POS, 0);
-        } else if self.stands_on_a_hit(cells, work) {
+        } else if hit {
             self.leave_hit(cells);
         }
         self.starts(cells, work);
@@ -124,14 +114,13 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// Numeric mode: at every execution until done, whatever the rung is.
+    /// Numeric mode: at every execution until done, whatever the rung is (REQ-EXEC-071).
     fn numeric(&mut self, cells: Cells, work: Work, count: u32, input: bool) -> Result<(), Fault> {
         let finished_false = self.state.memory.stamp(cells.1) == FINISHED_FALSE;
         if !self.member_bit(cells, EN) {
             if !input {
                 return Ok(());
             }
-            self.check_control(cells)?;
             self.set_member_word(cells, POS, 0);
             self.starts(cells, work);
         } else if self.member_bit(cells, DN) {
@@ -142,11 +131,8 @@ impl<O: Observer> Walker<'_, O> {
                 self.set_member_word(cells, POS, 0);
             }
             return Ok(());
-        } else {
-            self.check_control(cells)?;
-            if self.stands_on_a_hit(cells, work) {
-                self.leave_hit(cells);
-            }
+        } else if work.searches() && self.member_bit(cells, FD) {
+            self.leave_hit(cells);
         }
         self.state.memory.set_stamp(cells.1, 0);
         self.run(cells, work, count)?;
@@ -156,30 +142,27 @@ impl<O: Observer> Walker<'_, O> {
         Ok(())
     }
 
-    fn check_control(&self, cells: Cells) -> Result<(), Fault> {
-        if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 { Err(CONTROL) } else { Ok(()) }
-    }
-
-    /// Whether a search stopped here, was released by clearing IN, and is not done.
-    fn stands_on_a_hit(&self, cells: Cells, work: Work) -> bool {
-        work.searches() && self.member_bit(cells, FD) && !self.member_bit(cells, DN)
-    }
-
     fn leave_hit(&mut self, cells: Cells) {
         let position = self.member_word(cells, POS);
         self.set_member_word(cells, POS, position.saturating_add(1));
         self.set_member_bit(cells, FD, false);
     }
 
-    /// Processes up to `count` elements.
+    /// Processes up to `count` elements (REQ-EXEC-072).
     fn run(&mut self, cells: Cells, work: Work, count: u32) -> Result<(), Fault> {
+        if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 {
+            return Err(CONTROL);
+        }
+        if !work.searches() {
+            self.clear_flags();
+        }
         let mut processed = 0u32;
         while processed < count && self.member_word(cells, POS) < self.member_word(cells, LEN) {
+            self.count(1);
             let stops = match work {
                 Work::Store(destination, expression) => self.store_element(destination, expression)?,
                 Work::Search(condition) => self.truth(condition)?,
             };
-            self.count(1);
             processed = processed.saturating_add(1);
             if stops {
                 let mark = if work.searches() { [FD, IN].as_slice() } else { [ER].as_slice() };
@@ -199,9 +182,8 @@ impl<O: Observer> Walker<'_, O> {
 
     /// One element of FAL; whether it overflowed.
     fn store_element(&mut self, destination: Argument, expression: Argument) -> Result<bool, Fault> {
-        self.clear_flags();
-        let destination = self.locate(destination)?;
         let value = self.evaluate(expression)?;
+        let destination = self.locate(destination)?;
         self.store_result(destination, Outcome { value, overflow: false });
         Ok(self.state.status.key & OVERFLOW != 0)
     }

@@ -61,6 +61,7 @@ impl<O: Observer> Walker<'_, O> {
             _ => (bits == 0, bits < 0),
         };
         let key = &mut self.state.status.key;
+        *key &= !(ZERO | NEGATIVE);
         *key |= if zero { ZERO } else { 0 };
         *key |= if negative { NEGATIVE } else { 0 };
     }

@@ -43,6 +43,8 @@ pub(crate) struct Walker<'a, O> {
     frame: Frame,
     /// The fault whose routine is at work.
     pending: Option<MajorFault>,
+    /// Whether this is a prescan.
+    prescanning: bool,
 }
 
 /// What a step does to the walk.
@@ -64,7 +66,7 @@ impl<'a, O: Observer> Walker<'a, O> {
         inputs: ScanInputs<'a>,
     ) -> Walker<'a, O> {
         let frame = Frame::new(BodyIndex(0), 0, Mode::Normal, Link::Program, 0);
-        Walker { ladder, state, observer, inputs, program: ProgramIndex(0), frame, pending: None }
+        Walker { ladder, state, observer, inputs, program: ProgramIndex(0), frame, pending: None, prescanning: false }
     }
 
     /// One execution of the safety task.
@@ -78,6 +80,7 @@ impl<'a, O: Observer> Walker<'a, O> {
     }
 
     fn all(&mut self, mode: Mode) -> ScanEnd {
+        self.prescanning = mode == Mode::Prescan;
         let ladder = self.ladder;
         for index in &ladder.schedule {
             let Some(program) = ladder.programs.get(index.position()).filter(|program| !program.disabled) else {
@@ -85,12 +88,17 @@ impl<'a, O: Observer> Walker<'a, O> {
             };
             self.program = *index;
             self.state.memory.set_bit(ladder.own.override_bit, false);
-            self.state.visited.fill(false);
+            if self.prescanning {
+                self.state.visited.fill(false);
+            }
             let bodies = match mode {
                 Mode::Normal => [program.main, None],
                 Mode::Prescan => [program.main, program.fault],
             };
             for body in bodies.into_iter().flatten() {
+                if self.prescanning && !self.visit(body) {
+                    continue;
+                }
                 if let Some(end) = self.body(body, mode) {
                     return end;
                 }
@@ -102,7 +110,6 @@ impl<'a, O: Observer> Walker<'a, O> {
     /// Runs a body of the program to its end; `Some` where the scan ends with it.
     fn body(&mut self, body: BodyIndex, mode: Mode) -> Option<ScanEnd> {
         self.frame = Frame::new(body, self.begin_of(body), mode, Link::Program, 0);
-        self.visit(body);
         loop {
             match self.step() {
                 Flow::On => {}

@@ -1,11 +1,13 @@
-//! GSV, SSV and EVENT. general-instructions.md A.8, A.10.
+//! GSV, SSV and EVENT. general-instructions.md A.8, A.10; REQ-EXEC-019.
 
 use twinrung_bytecode::observer::Observer;
 
 use super::Walker;
 use super::bit::at;
 use super::copy::Stretch;
-use super::fault::Fault;
+use super::fault::{Fault, SUBSCRIPT};
+use super::math::element_of;
+use super::value::low_bits;
 use crate::ladder::{Argument, SystemValue};
 use crate::state::RECORD_WORDS;
 
@@ -26,37 +28,24 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// The elements that so many bytes reach into; `None` where the data is too small.
-    fn covering(&self, data: &Stretch, bytes: u32) -> Option<u32> {
-        let each = data.bytes();
-        let elements = bytes.checked_add(each)?.checked_sub(1)?.checked_div(each)?;
-        let room = self.has_room(elements.checked_mul(each)?);
-        (elements <= data.count && room).then_some(elements)
+    /// The destination or source of a system value: as many elements as the attribute has must lie there.
+    fn system_data(&mut self, arguments: &[Argument]) -> Result<Option<(SystemValue, Stretch)>, Fault> {
+        let data = self.stretch(at(arguments, 1))?;
+        let (Some(value), Some(data)) = (self.system_value(at(arguments, 0)), data) else { return Ok(None) };
+        if value.length > data.count { Err(SUBSCRIPT) } else { Ok(Some((value, data))) }
     }
 
     pub(super) fn gets_system_value(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
         if !input {
             return Ok(input);
         }
-        let data = self.stretch(at(arguments, 1))?;
-        let (Some(value), Some(data)) = (self.system_value(at(arguments, 0)), data) else { return Ok(input) };
-        let each = value.element.bytes();
-        let bytes = each.saturating_mul(value.length);
-        let Some(elements) = self.covering(&data, bytes) else {
-            // Minor fault 4/7: the destination is too small.
-            self.state.log_minor_fault();
-            return Ok(input);
-        };
-        self.gather(&data, elements);
-        for number in 0..value.length {
-            let word = self.system_word(&value, number).to_le_bytes();
-            let position = number.saturating_mul(each) as usize;
-            let to = self.state.bytes.get_mut(position..position.saturating_add(each as usize));
-            if let (Some(to), Some(from)) = (to, word.get(..each as usize)) {
-                to.copy_from_slice(from);
+        if let Some((value, data)) = self.system_data(arguments)? {
+            for number in 0..value.length {
+                let word = self.system_word(&value, number);
+                let place = data.element_place(number);
+                self.write_word(place, low_bits(word, element_of(place)));
             }
         }
-        self.scatter(&data, elements);
         Ok(input)
     }
 
@@ -77,23 +66,15 @@ impl<O: Observer> Walker<'_, O> {
         if !input {
             return Ok(input);
         }
-        let data = self.stretch(at(arguments, 1))?;
-        let (Some(value), Some(data)) = (self.system_value(at(arguments, 0)), data) else { return Ok(input) };
-        let bytes = value.element.bytes().saturating_mul(value.length);
-        let (Some(program), Some(elements)) = (value.record_of, self.covering(&data, bytes)) else {
-            // Minor fault 4/6: not enough data, or an attribute that nobody may write.
-            self.state.log_minor_fault();
-            return Ok(input);
-        };
-        self.gather(&data, elements);
-        let mut record = [0i32; RECORD_WORDS];
-        for (word, four) in record.iter_mut().zip(self.state.bytes.chunks_exact(4)) {
-            if let Ok(four) = four.try_into() {
-                *word = i32::from_le_bytes(four);
+        if let Some((value, data)) = self.system_data(arguments)? {
+            let Some(program) = value.record_of else { return Ok(input) };
+            let mut record = [0i32; RECORD_WORDS];
+            for (number, word) in record.iter_mut().take(value.length as usize).enumerate() {
+                *word = self.value_at(data.element_place(number as u32)).bits;
             }
-        }
-        if let Some(own) = self.state.records.get_mut(program.position()) {
-            *own = record;
+            if let Some(own) = self.state.records.get_mut(program.position()) {
+                *own = record;
+            }
         }
         Ok(input)
     }
