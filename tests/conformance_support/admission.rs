@@ -15,7 +15,8 @@ pub const CONTROLLERS: &[(&str, u16)] = &[
 ];
 
 /// Controllers and revisions that do not exist: nothing is admitted.
-pub const UNKNOWN: &[(&str, u16)] = &[("1756-L61S", 15), ("1756-L63S", 14), ("1756-L63S", 21), ("1756-L73S", 19), ("1756-L63", 20)];
+pub const UNKNOWN: &[(&str, u16)] =
+    &[("1756-L61S", 15), ("1756-L63S", 14), ("1756-L63S", 21), ("1756-L73S", 19), ("1756-L63", 20)];
 
 /// A rung with each base instruction, and other lines that it needs: rungs begin with `N:`, a routine with `ROUTINE`.
 const RUNGS: &[(&str, &str)] = &[
@@ -97,10 +98,14 @@ pub fn failures() -> Vec<String> {
             let place = format!("{} on {catalog_number}/{revision}", instruction.mnemonic);
             match (declared, found) {
                 (true, Ok(())) => {}
-                (true, Err(findings)) => wrong.push(format!("{place}: declared as admitted, refused: {}", findings.join("; "))),
+                (true, Err(findings)) => {
+                    wrong.push(format!("{place}: declared as admitted, refused: {}", findings.join("; ")))
+                }
                 (false, Ok(())) => wrong.push(format!("{place}: declared as refused, admitted")),
                 (false, Err(findings)) if findings.iter().all(|finding| finding.starts_with("S0102")) => {}
-                (false, Err(findings)) => wrong.push(format!("{place}: refused for another reason: {}", findings.join("; "))),
+                (false, Err(findings)) => {
+                    wrong.push(format!("{place}: refused for another reason: {}", findings.join("; ")))
+                }
             }
         }
     }

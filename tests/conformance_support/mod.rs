@@ -1,10 +1,11 @@
 //! Conformance tables: readable traces of what each base instruction does, run on primary, partner and judge at once.
 //!
-//! [`table`] describes the format of a table file and reads it; [`source`] makes a project of a case; [`run`] runs a case
+//! [`table`] describes the format of a table file and [`reader`] reads it; [`source`] makes a project of a case; [`run`] runs a case
 //! and compares each row; [`value`] reads and compares the values in the cells; [`admission`] tries each instruction on each
 //! controller.
 
 pub mod admission;
+pub mod reader;
 pub mod run;
 pub mod source;
 pub mod table;
@@ -32,7 +33,7 @@ pub fn tables() -> (Vec<Table>, Vec<String>) {
     for path in paths {
         let name = path.file_name().expect("a file has a name").to_string_lossy().into_owned();
         let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
-        match table::read(&name, &text) {
+        match reader::read(&name, &text) {
             Ok(table) => tables.push(table),
             Err(error) => wrong.push(error),
         }

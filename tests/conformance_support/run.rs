@@ -26,7 +26,9 @@ fn run(case: &Case) -> Vec<(usize, String)> {
     let subject = match (Subject::from_text(&text), &case.refused) {
         (Ok(subject), None) => subject,
         (Ok(_), Some(code)) => return vec![(case.line, format!("expected to be refused with {code}, found admitted"))],
-        (Err(findings), Some(code)) if findings.iter().any(|finding| finding.starts_with(code.as_str())) => return Vec::new(),
+        (Err(findings), Some(code)) if findings.iter().any(|finding| finding.starts_with(code.as_str())) => {
+            return Vec::new();
+        }
         (Err(findings), expected) => {
             let expected = expected.as_ref().map(|code| format!("refused with {code}"));
             let expected = expected.unwrap_or_else(|| "admitted".to_owned());

@@ -16,13 +16,16 @@ pub fn text(case: &Case) -> String {
     }
     line_of(&mut text, "TAG");
     for (declared, value) in &case.tags {
-        line_of(&mut text, &format!("{declared} (Class := Safety){};", assigned(value)));
+        let class = if declared.contains(':') { " (Class := Safety)" } else { "" };
+        line_of(&mut text, &format!("{declared}{class}{};", assigned(value)));
     }
     line_of(&mut text, "END_TAG");
     case.programs.iter().for_each(|program| add_program(&mut text, program));
     line_of(
         &mut text,
-        &format!("TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := {period}, Watchdog := {period}, Priority := 5)"),
+        &format!(
+            "TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := {period}, Watchdog := {period}, Priority := 5)"
+        ),
     );
     for program in &case.programs {
         line_of(&mut text, &format!("{};", program.name));
@@ -31,7 +34,9 @@ pub fn text(case: &Case) -> String {
     for task in &case.event_tasks {
         line_of(
             &mut text,
-            &format!("TASK {task} (Type := EVENT, EventTrigger := \"EVENT Instruction Only\", Priority := 10, Watchdog := 500) END_TASK"),
+            &format!(
+                "TASK {task} (Type := EVENT, EventTrigger := \"EVENT Instruction Only\", Priority := 10, Watchdog := 500) END_TASK"
+            ),
         );
     }
     text.push_str("END_CONTROLLER\n");
