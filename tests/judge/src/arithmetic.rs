@@ -11,6 +11,11 @@ use crate::value::Value;
 /// The one form of NaN (REQ-EXEC-003).
 const NAN: u32 = 0x7FC0_0000;
 
+/// The bits of a REAL as instructions store them.
+pub(crate) fn canonical(bits: u32) -> u32 {
+    if f32::from_bits(bits).is_nan() { NAN } else { bits }
+}
+
 /// A number in a register.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Number {
@@ -64,6 +69,8 @@ pub(crate) fn apply(operation: Operation, a: Number, b: Number, real: bool) -> C
             Operation::Add => a + b,
             Operation::Subtract => a - b,
             Operation::Multiply => a * b,
+            // By the sign of A, whatever the sign of the zero (A.9).
+            Operation::Divide if b == 0.0 => a / 0.0,
             Operation::Divide => a / b,
             Operation::Modulo if b == 0.0 => 0.0,
             Operation::Modulo => a % b,
@@ -179,8 +186,7 @@ impl Judge<'_> {
         let element = self.element(target);
         if element == Element::Real {
             let real = value.to_real();
-            let bits = if real.is_nan() { NAN } else { real.to_bits() };
-            *self.memory.get_mut(target) = Value::Real(bits);
+            *self.memory.get_mut(target) = Value::Real(canonical(real.to_bits()));
             return false;
         }
         let (integer, overflow) = value.to_integer();

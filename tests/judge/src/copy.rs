@@ -5,7 +5,7 @@ use twinrung_catalog::{Element, PredefinedType};
 use twinrung_compiler::operand::{Operand, Reference};
 use twinrung_compiler::project::{OperandUse, Types};
 
-use crate::arithmetic::Number;
+use crate::arithmetic::{Number, canonical};
 use crate::evaluator::{Exit, Judge};
 use crate::memory::{Frame, Target, narrowed};
 use crate::value::Value;
@@ -141,7 +141,7 @@ impl Judge<'_> {
     }
 
     /// Checks that so many elements lie between a first one and the end of its array.
-    fn within(&self, target: &Target, count: u32) -> Result<(), Exit> {
+    pub(crate) fn within(&self, target: &Target, count: u32) -> Result<(), Exit> {
         let Some((last, path)) = target.path.split_last() else { return Ok(()) };
         let parent = Target { path: path.to_vec(), ..target.clone() };
         match self.memory.get(&parent) {
@@ -230,7 +230,9 @@ impl Judge<'_> {
                 _ => [b, a, d, c],
             })
         };
-        self.memory.set_integer(&destination, swapped);
+        let real = self.element(&destination) == Element::Real;
+        let stored = if real { canonical(swapped as u32) as i32 } else { swapped };
+        self.memory.set_integer(&destination, stored);
         Ok(())
     }
 }

@@ -94,6 +94,8 @@ pub struct Judge<'p> {
     pub(crate) library_instances: HashMap<Target, usize>,
     /// Numbers of programs and routines in fault records.
     numbers: (Vec<u32>, Vec<u32>),
+    /// Whether something has overflowed since a subscript began to be computed.
+    pub(crate) subscript_overflow: bool,
     /// Whether the next scan is the first after a prescan.
     first_scan_armed: bool,
     faulted: bool,
@@ -130,6 +132,7 @@ impl<'p> Judge<'p> {
             completed_on_false: HashSet::new(),
             library_instances: HashMap::new(),
             numbers: (Vec::new(), Vec::new()),
+            subscript_overflow: false,
             first_scan_armed: false,
             faulted: false,
             in_fault_routine: false,
@@ -373,6 +376,7 @@ impl<'p> Judge<'p> {
 
     /// S:V becomes set; a change logs a minor fault 4/4.
     pub(crate) fn overflow(&mut self, frame: &Frame<'_>) {
+        self.subscript_overflow = true;
         if frame.counts && !self.flags.overflow {
             self.flags.overflow = true;
             self.flags.minor_fault = true;

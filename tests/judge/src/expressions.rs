@@ -21,7 +21,11 @@ pub(crate) fn holds_real(expression: &Expression) -> bool {
 impl Judge<'_> {
     /// The value of a subscript or bit number.
     pub(crate) fn subscript_value(&mut self, frame: &Frame<'_>, expression: &Expression) -> Result<i32, Exit> {
-        Ok(self.expression(frame, expression, false)?.to_integer().0)
+        let before = std::mem::take(&mut self.subscript_overflow);
+        let value = self.expression(frame, expression, false)?.to_integer().0;
+        let overflowed = std::mem::replace(&mut self.subscript_overflow, before);
+        // An overflow while computing a subscript is the fault of the subscript, too (2.6).
+        if overflowed { Err(Exit::Fault(20)) } else { Ok(value) }
     }
 
     /// The value of an expression; overflow sets S:V.

@@ -1,5 +1,6 @@
 //! FAL and FSC. general-instructions.md A.6.
 
+use twinrung_bytecode::limits;
 use twinrung_catalog::Opcode;
 use twinrung_catalog::types::base::CONTROL;
 use twinrung_compiler::operand::{Expression, Operand};
@@ -155,6 +156,9 @@ impl Judge<'_> {
     ) -> Result<(), Exit> {
         if self.memory.integer(&control.length) < 0 || self.memory.integer(&control.position) < 0 {
             return Err(Exit::Fault(21));
+        }
+        if self.memory.integer(&control.length) > limits::ARRAY_ELEMENTS as i32 {
+            return Err(Exit::Fault(20));
         }
         if !search {
             self.clear_flags(frame);

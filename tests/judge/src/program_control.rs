@@ -147,6 +147,7 @@ impl<'p> Judge<'p> {
         let Operand::SystemValue(value) = self.operand(frame, operands[2]) else { panic!("no attribute") };
         let attribute = value.attribute;
         let (first, _) = self.first_element(frame, operands[3])?;
+        self.within(&first, attribute.length)?;
         let program = match value.instance {
             SystemInstance::Program(program) => usize::from(program.0),
             _ => usize::from(frame.program),
@@ -185,12 +186,19 @@ impl<'p> Judge<'p> {
         };
         let (enable_in, enable_out) = (enable("EnableIn"), enable("EnableOut"));
         let runs = condition && !frame.prescanning;
+        let routine = if condition { definition.logic } else { definition.enable_in_false };
+        let routine = if frame.prescanning { definition.logic } else { routine };
+        if routine.is_some() {
+            // Every subscript is looked at before anything is written (REQ-EXEC-004).
+            for operand in &operands[1..] {
+                if let Operand::Reference(reference) = self.operand(frame, *operand) {
+                    self.locate(frame, reference)?;
+                }
+            }
+        }
         self.memory.set_bit(&enable_in, runs);
         self.memory.set_bit(&enable_out, runs);
-        let routine = if condition { definition.logic } else { definition.enable_in_false };
-        let Some(routine) = (if frame.prescanning { definition.logic } else { routine }) else {
-            return Ok(false);
-        };
+        let Some(routine) = routine else { return Ok(false) };
         let mut in_out = HashMap::new();
         for (parameter, operand) in definition.arguments().zip(&operands[1..]) {
             if parameter.usage == Usage::InOut {
