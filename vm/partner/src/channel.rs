@@ -2,12 +2,12 @@
 
 use alloc::format;
 
-use twinrung_bytecode::{AdmittedImage, admit_library};
 use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, WordCell};
 use twinrung_bytecode::layout::TypeLayout;
 use twinrung_bytecode::observer::Observer;
+use twinrung_bytecode::{AdmittedImage, admit_library};
 
 use crate::ladder::Ladder;
 use crate::load::{LoadError, Unit, load, needs_library};

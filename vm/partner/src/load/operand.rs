@@ -377,13 +377,11 @@ impl<'a> Loader<'a> {
         while let Some(task) = tasks.pop() {
             let operation = match task {
                 Task::Emit(operation) => operation,
-                Task::Value { operand, real } => {
-                    match self.value_tasks(context, operand, real, &mut tasks) {
-                        Some(Some(operation)) => operation,
-                        Some(None) => continue,
-                        None => return Ok(false),
-                    }
-                }
+                Task::Value { operand, real } => match self.value_tasks(context, operand, real, &mut tasks) {
+                    Some(Some(operation)) => operation,
+                    Some(None) => continue,
+                    None => return Ok(false),
+                },
             };
             match operation {
                 Operation::Integer(_) | Operation::Real(_) | Operation::Word(..) => values = values.saturating_add(1),
@@ -440,9 +438,7 @@ impl<'a> Loader<'a> {
                 let begin = tasks.len();
                 for _ in 0..count {
                     tasks.push(match cursor.byte()? {
-                        format::OPERATION_PUSH => {
-                            Task::Value { operand: OperandIndex(cursor.word()?), real }
-                        }
+                        format::OPERATION_PUSH => Task::Value { operand: OperandIndex(cursor.word()?), real },
                         operator => Task::Emit(Operation::Apply { operator, real }),
                     });
                 }

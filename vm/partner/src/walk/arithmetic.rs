@@ -112,8 +112,10 @@ fn real_binary(operator: u8, left: f32, right: f32) -> Outcome {
         format::OPERATION_ADD => rounded(left + right, left, right),
         format::OPERATION_SUBTRACT => rounded(left - right, left, right),
         format::OPERATION_DIVIDE => {
-            let outcome = rounded(left / right, left, right);
-            Outcome { overflow: outcome.overflow || right == 0.0, ..outcome }
+            // By a zero of either sign: an infinity with the sign of the left operand (A.9).
+            let by_zero = right == 0.0;
+            let outcome = rounded(left / if by_zero { 0.0 } else { right }, left, right);
+            Outcome { overflow: outcome.overflow || by_zero, ..outcome }
         }
         _ if right == 0.0 => Outcome { value: Value::real(0.0), overflow: true },
         _ => Outcome { value: Value::real(real::remainder(left, right)), overflow: false },

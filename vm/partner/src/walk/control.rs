@@ -99,9 +99,11 @@ impl<O: Observer> Walker<'_, O> {
     /// Cells of a parameter that is passed as a whole: bits, then words.
     fn parameter_cells(&self, to: Bound) -> (u32, u32) {
         match to.argument {
-            Argument::Span(span) => self.ladder.spans.get(span as usize).map_or((0, 0), |span| {
-                (span.bits.saturating_mul(span.count), span.words.saturating_mul(span.count))
-            }),
+            Argument::Span(span) => {
+                self.ladder.spans.get(span as usize).map_or((0, 0), |span| {
+                    (span.bits.saturating_mul(span.count), span.words.saturating_mul(span.count))
+                })
+            }
             _ => (0, 0),
         }
     }

@@ -1,11 +1,12 @@
 //! FAL and FSC. general-instructions.md A.6.
 
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 
 use super::Walker;
 use super::arithmetic::Outcome;
 use super::bit::at;
-use super::fault::{CONTROL, Fault};
+use super::fault::{CONTROL, Fault, SUBSCRIPT};
 use crate::ladder::Argument;
 use crate::memory::FINISHED_FALSE;
 use crate::state::OVERFLOW;
@@ -18,6 +19,9 @@ const DN: u32 = 2;
 const ER: u32 = 4;
 const IN: u32 = 6;
 const FD: u32 = 7;
+
+/// The greatest LEN that a run accepts: no array has more elements (REQ-EXEC-072).
+const MOST_ELEMENTS: i32 = limits::ARRAY_ELEMENTS as i32;
 
 /// First cells of the CONTROL.
 type Cells = (u32, u32);
@@ -152,6 +156,9 @@ impl<O: Observer> Walker<'_, O> {
     fn run(&mut self, cells: Cells, work: Work, count: u32) -> Result<(), Fault> {
         if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 {
             return Err(CONTROL);
+        }
+        if self.member_word(cells, LEN) > MOST_ELEMENTS {
+            return Err(SUBSCRIPT);
         }
         if !work.searches() {
             self.clear_flags();
