@@ -6,9 +6,12 @@
 #![forbid(unsafe_code)]
 
 mod disagreement;
+pub mod generate;
+mod replay;
 mod subject;
 mod trio;
 
 pub use disagreement::Disagreement;
+pub use replay::{Counts, Outcome, replay, shrink};
 pub use subject::{Subject, library};
 pub use trio::{Ended, Trio};

@@ -87,8 +87,6 @@ pub struct Member {
 pub struct Record {
     pub name: String,
     pub members: Vec<Member>,
-    /// Whether it has the 12 bytes of a TIMER.
-    pub twelve_bytes: bool,
 }
 
 /// Part of the text of a place.

@@ -49,7 +49,8 @@ impl Writer<'_> {
     }
 
     fn operator(&mut self) -> &'static str {
-        self.random.of(&["+", "-", "*", "/", "MOD", "AND", "OR", "XOR", "+", "-"])
+        const OPERATORS: &[&str] = &["+", "-", "*", "/", "MOD", "AND", "OR", "XOR", "+", "-"];
+        *self.random.of::<&'static str>(OPERATORS)
     }
 
     fn atom(&mut self) -> String {
