@@ -108,6 +108,8 @@ pub(crate) struct Machine {
     /// Whether any of them is not 0.
     pub(crate) jumped: bool,
     pub(crate) values: [i32; VALUES],
+    /// For each value whether something overflowed while it was computed.
+    pub(crate) overflowed: [bool; VALUES],
     pub(crate) addresses: [(u32, u32, u32); ADDRESSES],
     pub(crate) slots: [Slot; TRANSFERS],
     pub(crate) numbers: [Number; TRANSFERS],
@@ -156,6 +158,7 @@ impl Machine {
             jumps: vec![0; loaded.jump_counters],
             jumped: false,
             values: [0; VALUES],
+            overflowed: [false; VALUES],
             addresses: [(0, 0, 0); ADDRESSES],
             slots: [Slot::Constant(Number::Integer(0)); TRANSFERS],
             numbers: [Number::Integer(0); TRANSFERS],

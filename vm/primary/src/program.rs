@@ -275,8 +275,7 @@ pub(crate) struct SystemValue {
     pub(crate) record_of: Option<u16>,
     /// First position in the values that a scan receives.
     pub(crate) first: u32,
-    /// Type and number of its elements.
-    pub(crate) element: Element,
+    /// Number of its elements.
     pub(crate) length: u32,
 }
 

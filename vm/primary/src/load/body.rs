@@ -15,6 +15,9 @@ use super::{Loader, copy};
 use crate::error::LoadError;
 use crate::program::{AddOnCall, Argument, Code, Instruction, Jump, Label, Location, NONE, Operand, Range, SafetyCall};
 
+/// Elements of the longest attribute that GSV or SSV moves.
+const RECORD: u32 = 11;
+
 /// What is known of a body while it is built.
 struct Building {
     body: u32,
@@ -239,8 +242,7 @@ impl Loader<'_> {
     /// The plan of a GSV or SSV: the side of its data.
     fn system_plan(&mut self, operands: Range) -> Result<u32, LoadError> {
         let side = self.side(self.program.operand(operands, 3))?;
-        let enough = 44u32.div_ceil(side.bytes.max(1));
-        self.push_plan(copy::plan(side.count.min(enough), side, side)?)
+        self.push_plan(copy::plan(side.count.min(RECORD), side, side)?)
     }
 
     fn safety_call(&mut self, opcode: Opcode, operands: Range) -> Result<u32, LoadError> {

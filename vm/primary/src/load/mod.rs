@@ -121,12 +121,7 @@ impl Loader<'_> {
                 let instance = u16::try_from(record.instance).unwrap_or(u16::MAX);
                 record.program.map_or(instance, |program| program.0)
             });
-            self.program.system_values.push(SystemValue {
-                record_of,
-                first: record.first,
-                element: attribute.element,
-                length: attribute.length,
-            });
+            self.program.system_values.push(SystemValue { record_of, first: record.first, length: attribute.length });
         }
         Ok(())
     }

@@ -60,6 +60,9 @@ impl<O: Observer> Run<'_, O> {
                     BitNumber::Constant(bit) => bit,
                     BitNumber::Variable { formula, length } => {
                         let value = self.value(formula)?;
+                        if self.has_overflowed(0) {
+                            return Err(SUBSCRIPT);
+                        }
                         u8::try_from(value).ok().filter(|bit| *bit < length).ok_or(SUBSCRIPT)?
                     }
                 };

@@ -1,16 +1,18 @@
-//! FAL and FSC. general-instructions.md A.6.
+//! FAL and FSC. general-instructions.md A.6, REQ-EXEC-070 to 072.
 
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
 use super::cells::Cells;
 use super::compare::is_true;
-use super::{CONTROL_NEGATIVE, FaultCode, Run};
+use super::{CONTROL_NEGATIVE, FaultCode, Run, SUBSCRIPT};
 use crate::machine::ENDED_WHILE_FALSE;
 use crate::program::{Instruction, Operand};
 
-/// Cells of a CONTROL after its first: words LEN, POS; bits EN, EU, DN, EM, ER, UL, IN, FD.
+/// Cells of a CONTROL, counted from its first: words LEN, POS; bits EN, EU, DN, EM, ER, UL, IN, FD.
 const POS: u32 = 1;
+const EN: u32 = 0;
 const DN: u32 = 2;
 const ER: u32 = 4;
 const IN: u32 = 6;
@@ -44,11 +46,13 @@ impl<O: Observer> Run<'_, O> {
             (self.program.operand(instruction.operands, 4), self.program.operand(instruction.operands, 5))
         };
         let file = File { control, is_search, destination, expression };
-        let blocked = self.flag(file, if is_search { IN } else { ER });
+        if self.flag(file, if is_search { IN } else { ER }) {
+            return Ok(());
+        }
         match mode {
-            ALL => self.file_all(file, input, blocked),
-            INC => self.file_incremental(file, input, blocked),
-            count => self.file_numeric(file, input, blocked, count),
+            ALL => self.file_all(file, input),
+            INC => self.file_incremental(file, input),
+            count => self.file_numeric(file, input, count),
         }
     }
 
@@ -68,21 +72,16 @@ impl<O: Observer> Run<'_, O> {
         self.write_word(file.control.word.saturating_add(POS), position as u32);
     }
 
-    fn file_all(&mut self, file: File, input: bool, blocked: bool) -> Result<(), FaultCode> {
+    fn file_all(&mut self, file: File, input: bool) -> Result<(), FaultCode> {
         if !input {
             self.rest(file);
-            return Ok(());
-        }
-        if blocked {
-            return Ok(());
-        }
-        if !self.flag(file, 0) {
-            self.check(file)?;
-            self.begin_file(file);
+            Ok(())
+        } else if !self.flag(file, EN) {
+            self.put_flag(file, EN, true);
             self.put_position(file, 0);
+            self.begin_file(file);
             self.elements(file, i32::MAX)
-        } else if file.is_search && !self.flag(file, DN) {
-            self.check(file)?;
+        } else if file.is_search && self.flag(file, FD) && !self.flag(file, DN) {
             self.pass_hit(file);
             self.elements(file, i32::MAX)
         } else {
@@ -90,87 +89,89 @@ impl<O: Observer> Run<'_, O> {
         }
     }
 
-    fn file_incremental(&mut self, file: File, input: bool, blocked: bool) -> Result<(), FaultCode> {
+    fn file_incremental(&mut self, file: File, input: bool) -> Result<(), FaultCode> {
         if !input {
             self.rest(file);
             return Ok(());
         }
-        if blocked || self.flag(file, 0) {
+        if self.flag(file, EN) {
             return Ok(());
         }
-        self.check(file)?;
-        // A hit whose IN was cleared is passed; FD still marks it.
-        if file.is_search && self.flag(file, FD) && !self.flag(file, DN) {
-            self.pass_hit(file);
+        self.put_flag(file, EN, true);
+        if self.flag(file, FD) {
+            let next = self.position(file).saturating_add(1);
+            self.put_position(file, next);
         }
         self.begin_file(file);
         self.elements(file, 1)
     }
 
-    fn file_numeric(&mut self, file: File, input: bool, blocked: bool, count: i32) -> Result<(), FaultCode> {
-        if blocked {
-            return Ok(());
-        }
+    fn file_numeric(&mut self, file: File, input: bool, count: i32) -> Result<(), FaultCode> {
         let word = file.control.word;
-        if !self.flag(file, 0) {
+        if !self.flag(file, EN) {
             if !input {
                 return Ok(());
             }
-            self.check(file)?;
-            self.begin_file(file);
+            self.put_flag(file, EN, true);
+            self.put_flag(file, DN, false);
+            self.put_flag(file, FD, false);
             self.put_position(file, 0);
         } else if self.flag(file, DN) {
             let ended_while_false = self.machine.hidden(word) == ENDED_WHILE_FALSE;
             if !input || ended_while_false {
                 self.machine.put_hidden(word, 0);
-                self.put_flag(file, 0, false);
+                self.put_flag(file, EN, false);
                 self.put_flag(file, DN, false);
                 self.put_position(file, 0);
             }
             return Ok(());
-        } else {
-            self.check(file)?;
-            if file.is_search && self.flag(file, FD) {
-                self.pass_hit(file);
-            }
+        } else if self.flag(file, FD) {
+            self.pass_hit(file);
         }
+        self.machine.put_hidden(word, 0);
         self.elements(file, count)?;
-        let ended_while_false = self.flag(file, DN) && !input;
-        self.machine.put_hidden(word, if ended_while_false { ENDED_WHILE_FALSE } else { 0 });
+        if self.flag(file, DN) && !input {
+            self.machine.put_hidden(word, ENDED_WHILE_FALSE);
+        }
         Ok(())
     }
 
     /// A false rung in ALL and INC mode.
     fn rest(&mut self, file: File) {
-        self.put_flag(file, 0, false);
+        self.put_flag(file, EN, false);
         if self.flag(file, DN) {
             self.put_flag(file, DN, false);
             self.put_position(file, 0);
         }
     }
 
-    /// LEN and POS must not be negative before anything is changed.
-    fn check(&self, file: File) -> Result<(), FaultCode> {
-        let negative = self.machine.word(file.control.word) < 0 || self.position(file) < 0;
-        if negative { Err(CONTROL_NEGATIVE) } else { Ok(()) }
-    }
-
+    /// What a start in ALL and INC mode changes beside EN and POS.
     fn begin_file(&mut self, file: File) {
-        self.put_flag(file, 0, true);
         self.put_flag(file, DN, false);
         if file.is_search {
             self.put_flag(file, FD, false);
         }
     }
 
-    /// FSC goes on behind the element that it found.
+    /// Goes on behind the element that was found.
     fn pass_hit(&mut self, file: File) {
+        self.put_flag(file, FD, false);
         let next = self.position(file).saturating_add(1);
         self.put_position(file, next);
     }
 
     /// Processes up to `count` elements from POS on.
     fn elements(&mut self, file: File, count: i32) -> Result<(), FaultCode> {
+        if self.machine.word(file.control.word) < 0 || self.position(file) < 0 {
+            return Err(CONTROL_NEGATIVE);
+        }
+        // Nothing can have more elements, so a longer run is bounded here (REQ-EXEC-072).
+        if self.machine.word(file.control.word) > limits::ARRAY_ELEMENTS as i32 {
+            return Err(SUBSCRIPT);
+        }
+        if !file.is_search {
+            self.clear_status();
+        }
         let mut remaining = count;
         while remaining > 0 && self.position(file) < self.machine.word(file.control.word) {
             remaining = remaining.saturating_sub(1);
@@ -179,7 +180,7 @@ impl<O: Observer> Run<'_, O> {
             if stop {
                 return Ok(());
             }
-            // The expression may have moved POS only by being stored there; FAL goes on from where it is.
+            // A destination may be POS itself: it goes on from what is there now.
             let next = self.position(file).saturating_add(1);
             self.put_position(file, next);
         }
@@ -191,9 +192,8 @@ impl<O: Observer> Run<'_, O> {
 
     /// FAL: whether an overflow stops it.
     fn store_element(&mut self, file: File) -> Result<bool, FaultCode> {
-        self.clear_status();
-        let slot = self.slot(file.destination)?;
         let value = self.expression_value(file.expression)?;
+        let slot = self.slot(file.destination)?;
         self.conclude(slot, value, false, false);
         let overflow = self.machine.status.overflow;
         if overflow {

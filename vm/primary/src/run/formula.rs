@@ -69,7 +69,9 @@ impl<O: Observer> Run<'_, O> {
                 FormulaOperation::Index { length, bit_stride, word_stride, elements } => {
                     values = values.saturating_sub(1);
                     let value = self.machine.values.get(values).copied().unwrap_or(0);
-                    let index = u32::try_from(value).ok().filter(|index| *index < length).ok_or(SUBSCRIPT)?;
+                    // An overflow while computing a subscript is the subscript's fault too (REQ-EXEC-012).
+                    let sound = !self.has_overflowed(values);
+                    let index = u32::try_from(value).ok().filter(|index| sound && *index < length).ok_or(SUBSCRIPT)?;
                     if let Some((bit, word, skipped)) = self.machine.addresses.get_mut(addresses.saturating_sub(1)) {
                         *bit = bit.saturating_add(index.saturating_mul(bit_stride));
                         *word = word.saturating_add(index.saturating_mul(word_stride));
@@ -88,6 +90,7 @@ impl<O: Observer> Run<'_, O> {
                     let (value, lost) = rounded(f32::from_bits(self.top(values) as u32));
                     if lost {
                         self.overflow();
+                        self.mark_overflow(values.saturating_sub(1));
                     }
                     self.replace(values, value);
                 }
@@ -101,7 +104,21 @@ impl<O: Observer> Run<'_, O> {
         if let Some(slot) = self.machine.values.get_mut(values) {
             *slot = value;
         }
+        if let Some(slot) = self.machine.overflowed.get_mut(values) {
+            *slot = false;
+        }
         values.saturating_add(1)
+    }
+
+    /// Whether something overflowed while the value at a position was computed.
+    pub(super) fn has_overflowed(&self, position: usize) -> bool {
+        self.machine.overflowed.get(position).copied().unwrap_or(true)
+    }
+
+    fn mark_overflow(&mut self, position: usize) {
+        if let Some(slot) = self.machine.overflowed.get_mut(position) {
+            *slot = true;
+        }
     }
 
     fn top(&self, values: usize) -> i32 {
@@ -125,6 +142,9 @@ impl<O: Observer> Run<'_, O> {
         }
         let values = values.saturating_sub(1);
         let left = self.top(values);
+        if self.has_overflowed(values) {
+            self.mark_overflow(values.saturating_sub(1));
+        }
         let (left_real, right_real) = (f32::from_bits(left as u32), f32::from_bits(right as u32));
         match operator {
             Operator::Relation(relation) => {
@@ -144,6 +164,7 @@ impl<O: Observer> Run<'_, O> {
     fn settle(&mut self, values: usize, outcome: Outcome) {
         if outcome.overflow {
             self.overflow();
+            self.mark_overflow(values.saturating_sub(1));
         }
         self.replace(
             values,

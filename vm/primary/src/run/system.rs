@@ -2,9 +2,11 @@
 
 use twinrung_bytecode::observer::Observer;
 
-use super::cells::Cells;
+use twinrung_catalog::Element;
+
 use super::{FaultCode, Run};
-use crate::program::{CopyPlan, Instruction, Operand, SystemValue};
+use crate::number::narrowed;
+use crate::program::{Content, CopyPlan, Instruction, Operand, Side, SystemValue};
 
 impl<O: Observer> Run<'_, O> {
     fn system(&self, instruction: Instruction) -> Option<(SystemValue, CopyPlan)> {
@@ -14,61 +16,52 @@ impl<O: Observer> Run<'_, O> {
         Some((*value, *plan))
     }
 
-    fn data(&mut self, instruction: Instruction) -> Result<(Cells, u32), FaultCode> {
+    /// The first cell of the data, its type, and how many elements of an attribute fit.
+    fn data(&mut self, instruction: Instruction, side: Side) -> Result<Option<(u32, Element, u32)>, FaultCode> {
         let operand = self.program.operand(instruction.operands, 3);
-        let cells = match operand.location() {
-            Some(location) => self.cells(location)?,
-            None => Cells { bit: 0, word: 0, skipped: 0 },
-        };
-        Ok((cells, cells.skipped))
+        let Some(location) = operand.location() else { return Ok(None) };
+        let cells = self.cells(location)?;
+        Ok(match side.content {
+            Content::Element(element) => Some((cells.word, element, side.count.saturating_sub(cells.skipped))),
+            Content::Structure(_) => None,
+        })
     }
 
-    /// GSV with a true rung. A destination that is too small is a minor fault 4/7 and stays as it is.
+    /// GSV with a true rung. A destination that is too small is a minor fault 4/7 and stays as it is. REQ-EXEC-019.
     pub(super) fn get_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
         let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
-        let (cells, skipped) = self.data(instruction)?;
-        let side = plan.destination;
-        let room = side.count.saturating_sub(skipped).min(plan.length);
-        let bytes = value.element.bytes().saturating_mul(value.length);
-        if room.saturating_mul(side.bytes) < bytes {
+        let data = self.data(instruction, plan.destination)?;
+        let Some((word, element, _)) = data.filter(|(_, _, room)| *room >= value.length) else {
             self.minor_fault();
             return Ok(());
-        }
-        self.gather(cells, side, room);
+        };
         let record = value.record_of.and_then(|program| self.machine.records.get(usize::from(program)).copied());
-        let width = value.element.bytes() as usize;
-        for index in 0..value.length as usize {
+        for index in 0..value.length {
             let number = match &record {
-                Some(record) => record.get(index).copied(),
-                None => self.inputs.system_values.get((value.first as usize).saturating_add(index)).copied(),
+                Some(record) => record.get(index as usize).copied(),
+                None => self.inputs.system_values.get(value.first.saturating_add(index) as usize).copied(),
             };
-            let number = number.unwrap_or(0).to_le_bytes();
-            let at = index.saturating_mul(width);
-            for (target, byte) in self.machine.copied.iter_mut().skip(at).zip(number).take(width) {
-                *target = byte;
-            }
+            let (kept, _) = narrowed(number.unwrap_or(0), element);
+            self.write_word(word.saturating_add(index), kept as u32);
         }
-        self.scatter(cells, side, room, bytes);
         Ok(())
     }
 
     /// SSV with a true rung: a program's MajorFaultRecord. Too little data is a minor fault 4/6.
     pub(super) fn set_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
         let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
-        let (cells, skipped) = self.data(instruction)?;
-        let side = plan.source;
-        let room = side.count.saturating_sub(skipped).min(plan.length);
-        let bytes = value.element.bytes().saturating_mul(value.length);
-        let (true, Some(program)) = (room.saturating_mul(side.bytes) >= bytes, value.record_of) else {
+        let data = self.data(instruction, plan.source)?;
+        let fitting = data.filter(|(_, _, room)| *room >= value.length);
+        let (Some((word, _, _)), Some(program)) = (fitting, value.record_of) else {
             self.minor_fault();
             return Ok(());
         };
-        self.gather(cells, side, room);
-        let (numbers, _) = self.machine.copied.as_chunks::<4>();
-        if let Some(record) = self.machine.records.get_mut(usize::from(program)) {
-            for (word, bytes) in record.iter_mut().zip(numbers) {
-                *word = i32::from_le_bytes(*bytes);
-            }
+        let mut record = [0i32; 11];
+        for (index, number) in (0u32..).zip(&mut record) {
+            *number = self.machine.word(word.saturating_add(index));
+        }
+        if let Some(slot) = self.machine.records.get_mut(usize::from(program)) {
+            *slot = record;
         }
         Ok(())
     }

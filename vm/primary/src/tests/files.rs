@@ -175,7 +175,13 @@ fn file_when_control_is_negative_or_too_long_then_faults() {
     let mut rig = Rig::new("k CONTROL; arr DINT[2]", &["FAL(k,?,?,ALL,arr[k.POS],7)"]);
     rig.set("k.LEN", -1);
     assert_eq!(code(rig.scan()), 21);
+    assert_eq!(rig.get("k.EN"), 1, "what the start changed stays changed");
+    rig.set("k.EN", 0);
     rig.set("k.LEN", 3);
     assert_eq!(code(rig.scan()), 20);
     assert_eq!(rig.all("arr[0] arr[1] k.POS"), [7, 7, 2]);
+    rig.set("k.EN", 0);
+    rig.set("k.LEN", 1_048_577);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.get("k.POS"), 0, "a run that is too long processes nothing");
 }

@@ -179,18 +179,19 @@ fn event_when_true_then_is_counted_for_the_scan() {
 }
 
 #[test]
-fn system_value_when_destination_is_wider_then_writes_its_low_bytes() {
+fn system_value_when_destination_is_narrower_then_is_cut_without_overflow() {
     let mut assembler = assembler("i DINT; p SINT; n INT");
-    for (attribute, first) in [(13, 0), (5, 1), (6, 2)] {
+    for (attribute, first) in [(13, 0), (5, 1), (6, 2), (2, 3)] {
         let value = SystemValueRecord { attribute, instance: 0, first, program: None };
         assembler.image.system_values.push(value);
     }
-    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p)"]);
+    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p)GSV(TASK,T,3,p)"]);
     let mut rig = Rig::of(assembler);
-    rig.system_values = alloc::vec![1, 7, 10_000];
+    rig.system_values = alloc::vec![1, 7, 10_000, 5, 6];
     rig.set("i", 0x0102_0304);
     rig.scan();
-    assert_eq!(rig.all("i n p"), [0x0102_0301, 7, 0]);
+    assert_eq!(rig.all("i n p"), [1, 7, 16]);
+    assert!(!rig.status().overflow);
     assert_eq!(rig.status().minor_faults, 1);
     assert!(rig.status().minor_fault);
 }

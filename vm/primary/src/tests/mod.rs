@@ -1,7 +1,6 @@
 //! Tests that put images together by hand.
 
 mod assembler;
-mod bench;
 mod bits_and_timers;
 mod files;
 mod flow;

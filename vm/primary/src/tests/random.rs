@@ -59,7 +59,7 @@ impl Random {
             4 => format!("arr[{}]", self.below(6)),
             5 if self.below(3) == 0 => "arr[i]".to_string(),
             6 => format!("small[{}]", self.below(8)),
-            7 => self.pick(&["c0.PRE", "c1.ACC", "t2.PRE", "k0.LEN", "k1.POS"]).to_string(),
+            7 => self.pick(&["c0.PRE", "c1.ACC", "t2.PRE", "k1.POS"]).to_string(),
             _ => self.pick(&["i", "j", "k", "l", "m", "w"]).to_string(),
         }
     }
