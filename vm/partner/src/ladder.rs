@@ -191,6 +191,8 @@ pub(crate) enum Operation {
         operator: u8,
         /// Whether arithmetic is REAL.
         real: bool,
+        /// Whether it is part of a subscript or bit number, which an overflow makes invalid.
+        subscript: bool,
     },
 }
 

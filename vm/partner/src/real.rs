@@ -165,7 +165,7 @@ mod tests {
             state ^= state >> 7;
             state ^= state << 17;
             let bits = (state >> 11) as u32;
-            f32::from_bits(if index % 4 == 0 { bits & 0x7FFF_FFFF % 0x00FF_FFFF } else { bits })
+            f32::from_bits(if index % 4 == 0 { (bits & 0x7FFF_FFFF) % 0x00FF_FFFF } else { bits })
         })
     }
 

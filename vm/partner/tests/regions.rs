@@ -98,8 +98,18 @@ fn input(numbers: &mut Numbers) -> String {
         0..9 => format!("XIC({})", bit(numbers)),
         9..16 => format!("XIO({})", bit(numbers)),
         16 => format!("ONS(s[{}])", numbers.below(32)),
-        17 => format!("{}({},{})", numbers.pick(&["EQU", "NEQ", "GRT", "GEQ", "LES", "LEQ"]), number(numbers), number(numbers)),
-        18..20 => format!("{}({},{})", numbers.pick(&["EQU", "NEQ", "GRT", "GEQ", "LES", "LEQ"]), word(numbers), word(numbers)),
+        17 => format!(
+            "{}({},{})",
+            numbers.pick(&["EQU", "NEQ", "GRT", "GEQ", "LES", "LEQ"]),
+            number(numbers),
+            number(numbers)
+        ),
+        18..20 => format!(
+            "{}({},{})",
+            numbers.pick(&["EQU", "NEQ", "GRT", "GEQ", "LES", "LEQ"]),
+            word(numbers),
+            word(numbers)
+        ),
         20 => format!("LIM({},{},{})", number(numbers), number(numbers), number(numbers)),
         21 => format!("MEQ({},{},{})", word(numbers), word(numbers), word(numbers)),
         22 => format!("CMP({}*2>{})", word(numbers), word(numbers)),
@@ -121,8 +131,20 @@ fn output(numbers: &mut Numbers) -> String {
         18..20 => format!("MOV({},{})", word(numbers), target(numbers)),
         20 => format!("MOV({},{})", number(numbers), destination(numbers)),
         21..23 => format!("{}({},{},{})", numbers.pick(&["ADD", "SUB"]), word(numbers), word(numbers), target(numbers)),
-        23 => format!("{}({},{},{})", numbers.pick(&["ADD", "SUB", "MUL", "DIV", "MOD"]), number(numbers), number(numbers), destination(numbers)),
-        24 => format!("{}({},{},{})", numbers.pick(&["AND", "OR", "XOR", "MVM"]), word(numbers), word(numbers), target(numbers)),
+        23 => format!(
+            "{}({},{},{})",
+            numbers.pick(&["ADD", "SUB", "MUL", "DIV", "MOD"]),
+            number(numbers),
+            number(numbers),
+            destination(numbers)
+        ),
+        24 => format!(
+            "{}({},{},{})",
+            numbers.pick(&["AND", "OR", "XOR", "MVM"]),
+            word(numbers),
+            word(numbers),
+            target(numbers)
+        ),
         25 => format!("{}({},{})", numbers.pick(&["NOT", "NEG", "ABS", "SQR"]), word(numbers), target(numbers)),
         26 => format!("CLR({})", destination(numbers)),
         27 => format!("FLL({},d[{}],2)", number(numbers), numbers.below(6)),

@@ -47,6 +47,9 @@ pub(crate) struct Job {
     context: Rc<Context>,
 }
 
+/// A JMP: the first cells of its instance, its routine, rung and element.
+type JumpKey = (Option<(u32, u32)>, RoutineIndex, u32, u16);
+
 /// Everything that loading collects.
 pub(crate) struct Loader<'a> {
     application: Unit<'a>,
@@ -67,7 +70,7 @@ pub(crate) struct Loader<'a> {
     calls: Vec<Call>,
     jumps: Vec<Jump>,
     /// Counters of backward jumps, by the instruction that they belong to and its instance.
-    counters: BTreeMap<(Option<(u32, u32)>, RoutineIndex, u32, u16), u32>,
+    counters: BTreeMap<JumpKey, u32>,
     subroutines: Vec<Subroutine>,
     /// The body of each routine of a program.
     routine_bodies: Vec<Option<BodyIndex>>,

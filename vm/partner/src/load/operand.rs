@@ -163,7 +163,7 @@ fn path_end(unit: Unit<'_>, path: &[u8]) -> Option<PathEnd> {
 
 /// What is still to be emitted, last first.
 enum Task {
-    Value { operand: OperandIndex, real: bool },
+    Value { operand: OperandIndex, real: bool, subscript: bool },
     Emit(Operation),
 }
 
@@ -337,7 +337,7 @@ impl<'a> Loader<'a> {
     ) -> Result<Argument, LoadError> {
         let real = destination_real || self.holds_real(context, operand).ok_or(LoadError::Operand(operand))?;
         let begin = self.operations.len();
-        let tasks = vec![Task::Value { operand, real }];
+        let tasks = vec![Task::Value { operand, real, subscript: false }];
         if !self.emit(context, tasks)? {
             return Err(LoadError::Operand(operand));
         }
@@ -377,11 +377,13 @@ impl<'a> Loader<'a> {
         while let Some(task) = tasks.pop() {
             let operation = match task {
                 Task::Emit(operation) => operation,
-                Task::Value { operand, real } => match self.value_tasks(context, operand, real, &mut tasks) {
-                    Some(Some(operation)) => operation,
-                    Some(None) => continue,
-                    None => return Ok(false),
-                },
+                Task::Value { operand, real, subscript } => {
+                    match self.value_tasks(context, operand, real, subscript, &mut tasks) {
+                        Some(Some(operation)) => operation,
+                        Some(None) => continue,
+                        None => return Ok(false),
+                    }
+                }
             };
             match operation {
                 Operation::Integer(_) | Operation::Real(_) | Operation::Word(..) => values = values.saturating_add(1),
@@ -413,6 +415,7 @@ impl<'a> Loader<'a> {
         context: &Context,
         operand: OperandIndex,
         real: bool,
+        subscript: bool,
         tasks: &mut Vec<Task>,
     ) -> Option<Option<Operation>> {
         let mut cursor = self.entry(context, operand)?;
@@ -438,8 +441,10 @@ impl<'a> Loader<'a> {
                 let begin = tasks.len();
                 for _ in 0..count {
                     tasks.push(match cursor.byte()? {
-                        format::OPERATION_PUSH => Task::Value { operand: OperandIndex(cursor.word()?), real },
-                        operator => Task::Emit(Operation::Apply { operator, real }),
+                        format::OPERATION_PUSH => {
+                            Task::Value { operand: OperandIndex(cursor.word()?), real, subscript }
+                        }
+                        operator => Task::Emit(Operation::Apply { operator, real, subscript }),
                     });
                 }
                 tasks.get_mut(begin..)?.reverse();
@@ -504,7 +509,7 @@ fn address_tasks(access: &Access<'_>, location: Location, innermost: usize, stri
         let term = term(bytes)?;
         let inner = index.saturating_add(innermost) >= terms;
         let elements = if inner { term.bits.max(term.words).checked_div(stride)? } else { 0 };
-        tasks.push(Task::Value { operand: term.operand, real: false });
+        tasks.push(Task::Value { operand: term.operand, real: false, subscript: true });
         tasks.push(Task::Emit(Operation::Subscript {
             length: term.length,
             bits: term.bits,
@@ -513,7 +518,7 @@ fn address_tasks(access: &Access<'_>, location: Location, innermost: usize, stri
         }));
     }
     if access.shape == format::SHAPE_WORD_BIT && access.bit_number == format::NO_BIT {
-        tasks.push(Task::Value { operand: OperandIndex(access.bit_operand), real: false });
+        tasks.push(Task::Value { operand: OperandIndex(access.bit_operand), real: false, subscript: true });
         tasks.push(Task::Emit(Operation::BitNumber(access.bit_length)));
     }
     tasks.reverse();

@@ -170,10 +170,11 @@ mod tests {
         let front = Function::contact(10, true).join(&Function::contact(11, false), Join::Series).unwrap();
         let network = front.join(&branch, Join::Series).unwrap();
         for row in 0..16u32 {
-            let bit = |number: u32| row >> number & 1 == 1;
+            let bit = |number: u32| (row >> number) & 1 == 1;
             let (a, b, c, d) = (bit(0), bit(1), bit(2), bit(3));
             let values = [(10, a), (11, b), (12, c), (13, d)];
-            assert_eq!(value(&network, &values), a && !b && (c || (d && !a)), "row {row}");
+            let inner = c || (d && !a);
+            assert_eq!(value(&network, &values), a && !b && inner, "row {row}");
         }
     }
 

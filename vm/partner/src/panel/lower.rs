@@ -462,9 +462,9 @@ impl Network<'_, '_, '_> {
             Location::Bit(cell) => {
                 let own = Function::contact(cell, true);
                 let latched = if sets {
-                    self.joined_with_bit(full, own, Join::Parallel)
+                    self.join(full, own, Join::Parallel)
                 } else {
-                    self.joined_with_bit(full.inverted(), own, Join::Series)
+                    self.join(full.inverted(), own, Join::Series)
                 };
                 self.keep(cell, None);
                 self.push(cell, &latched);
@@ -476,15 +476,10 @@ impl Network<'_, '_, '_> {
         }
     }
 
-    /// A network joined with one contact.
-    fn joined_with_bit(&mut self, function: Function, bit: Function, how: Join) -> Function {
-        self.join(function, bit, how)
-    }
-
     fn one_shot(&mut self, storage: Location) {
         let full = self.full();
         let stored = self.read(storage);
-        let pulse = self.joined_with_bit(full, Function::contact(stored, false), Join::Series);
+        let pulse = self.join(full, Function::contact(stored, false), Join::Series);
         let output = self.tables.scratch();
         self.push(output, &pulse);
         self.current = Function::contact(output, true);
@@ -496,36 +491,31 @@ impl Network<'_, '_, '_> {
         let mut full = self.full();
         let stored = self.read(storage);
         let pulse = if rising {
-            self.joined_with_bit(full, Function::contact(stored, false), Join::Series)
+            self.join(full, Function::contact(stored, false), Join::Series)
         } else {
-            self.joined_with_bit(full.inverted(), Function::contact(stored, true), Join::Series)
+            self.join(full.inverted(), Function::contact(stored, true), Join::Series)
         };
-        if let Location::Bit(cell) = output {
-            if full.looks_at(cell) {
-                let spilled = self.spill(&full);
-                if let Some(cell) = spilled.as_cell() {
-                    self.replace(&full, cell);
-                }
-                full = spilled;
+        if let Location::Bit(cell) = output
+            && full.looks_at(cell)
+        {
+            let spilled = self.spill(&full);
+            if let Some(cell) = spilled.as_cell() {
+                self.replace(&full, cell);
             }
+            full = spilled;
         }
-        // The storage first: the two lie apart, and a panel of the pulse still sees the stored bit in its own cell.
-        let pulse = self.cell_apart(&pulse);
+        // The pulse looks at the stored bit as it was: it gets a cell of its own before the storage is written.
+        let pulse = self.spill(&pulse);
         self.write(storage, &full);
         self.write(output, &pulse);
-    }
-
-    /// The network in a cell that nothing else writes.
-    fn cell_apart(&mut self, function: &Function) -> Function {
-        self.spill(function)
     }
 
     fn zone(&mut self) {
         let full = self.full();
         let own = Function::contact(self.tables.own.override_bit, true);
         // Toggled while the rung is false: on without a condition, off with one.
-        let off = self.joined_with_bit(full, own, Join::Series);
-        let on = self.joined_with_bit(full.inverted(), own.inverted(), Join::Series);
+        let off = self.join(full, own, Join::Series);
+        let on = self.join(full.inverted(), own.inverted(), Join::Series);
         let toggled = self.join(off, on, Join::Parallel);
         self.keep(self.tables.own.override_bit, None);
         let output = self.tables.own.override_bit;

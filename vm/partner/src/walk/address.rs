@@ -177,7 +177,7 @@ impl<O: Observer> Walker<'_, O> {
                     let value = self.value_at(Location::Word(word, element));
                     self.push(depth, value);
                 }
-                Operation::Apply { operator, real } => {
+                Operation::Apply { operator, real, subscript } => {
                     let right = self.pop(depth);
                     let outcome = if operator < format::OPERATION_MULTIPLY {
                         arithmetic::unary(operator, right, real)
@@ -188,6 +188,9 @@ impl<O: Observer> Walker<'_, O> {
                     let Outcome { value, overflow } = outcome;
                     if overflow {
                         self.state.set_overflow();
+                        if subscript {
+                            return Err(SUBSCRIPT);
+                        }
                     }
                     self.push(depth, value);
                 }

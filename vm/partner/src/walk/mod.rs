@@ -124,10 +124,11 @@ impl<'a, O: Observer> Walker<'a, O> {
         self.frame.next = self.frame.next.wrapping_add(1);
         let result = match step.code {
             Code::Region => {
-                if !O::ACTIVE && self.frame.mode == Mode::Normal {
-                    if let Some(next) = self.region(step.first) {
-                        self.frame.next = next;
-                    }
+                if !O::ACTIVE
+                    && self.frame.mode == Mode::Normal
+                    && let Some(next) = self.region(step.first)
+                {
+                    self.frame.next = next;
                 }
                 return Flow::On;
             }

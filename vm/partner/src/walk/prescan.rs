@@ -45,11 +45,11 @@ impl<O: Observer> Walker<'_, O> {
     /// The first JSR of the program that reaches a routine prescans it; nothing is passed.
     fn prescan_subroutine(&mut self, step: Step) -> Result<(), Fault> {
         let body = self.ladder.subroutines.get(step.first as usize).map(|call| call.body);
-        if let Some(body) = body {
-            if self.visit(body) {
-                let bound = self.state.bound.len();
-                return self.begin(body, Mode::Prescan, Link::Subroutine(step.first), bound);
-            }
+        if let Some(body) = body
+            && self.visit(body)
+        {
+            let bound = self.state.bound.len();
+            return self.begin(body, Mode::Prescan, Link::Subroutine(step.first), bound);
         }
         self.report(step, false, false);
         Ok(())

@@ -13,10 +13,10 @@ use crate::state::RECORD_WORDS;
 
 impl<O: Observer> Walker<'_, O> {
     pub(super) fn triggers(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
-        if let (true, Argument::EventTask(task)) = (input, at(arguments, 0)) {
-            if let Some(count) = self.state.events.get_mut(usize::from(task)) {
-                *count = count.saturating_add(1);
-            }
+        if let (true, Argument::EventTask(task)) = (input, at(arguments, 0))
+            && let Some(count) = self.state.events.get_mut(usize::from(task))
+        {
+            *count = count.saturating_add(1);
         }
         Ok(input)
     }

@@ -1,11 +1,11 @@
 //! Text in, a loaded partner out; tags by their names.
 #![allow(dead_code)]
 
+use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::{Image, TypeReference};
 use twinrung_bytecode::index::{BitCell, ProgramIndex, WordCell};
 use twinrung_bytecode::observer::{Observer, Silent};
-use twinrung_bytecode::AdmittedImage;
 use twinrung_catalog::Element;
 use twinrung_compiler::{Completion, check, compile};
 use twinrung_grammar::tree::Sources;
@@ -30,8 +30,12 @@ pub fn admit(text: &str) -> AdmittedImage {
     let mut sources = Sources::new();
     let reading = twinrung_grammar::read(&mut sources, "test.rll", text.as_bytes().to_vec());
     let checked = check(&reading, &Completion::default());
-    let findings: Vec<String> =
-        checked.findings.iter().filter(|finding| finding.is_error()).map(|finding| format!("{} {}", finding.code.id, finding.message)).collect();
+    let findings: Vec<String> = checked
+        .findings
+        .iter()
+        .filter(|finding| finding.is_error())
+        .map(|finding| format!("{} {}", finding.code.id, finding.message))
+        .collect();
     let project = checked.project.unwrap_or_else(|| panic!("{findings:?}\n{text}"));
     let compiled = compile(&project).unwrap_or_else(|finding| panic!("{finding:?}\n{text}"));
     twinrung_bytecode::admit(&compiled.bytes).unwrap_or_else(|error| panic!("{error}\n{text}"))
@@ -51,7 +55,8 @@ pub fn project(declarations: &str, tags: &str, program: &str) -> String {
 pub fn tags(list: &[&str]) -> String {
     list.iter()
         .map(|tag| {
-            let (head, value) = tag.split_once(":=").map_or((*tag, String::new()), |(head, value)| (head, format!(" :={value}")));
+            let (head, value) =
+                tag.split_once(":=").map_or((*tag, String::new()), |(head, value)| (head, format!(" :={value}")));
             format!("{} (Class := Safety){value};\n", head.trim_end())
         })
         .collect()
