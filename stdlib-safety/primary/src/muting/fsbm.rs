@@ -111,8 +111,7 @@ impl Step {
     /// The moves of 5.3; the fault of any other pattern.
     fn next(self, field: &Blocked) -> Result<Step, i32> {
         match self {
-            Step::Wait => Ok(Step::Wait),
-            Step::Idle => match field.position(field.forward) {
+            Step::Wait | Step::Idle => match field.position(field.forward) {
                 Some(0) => Ok(Step::Idle),
                 Some(1) => Ok(Step::Running { position: 1, forward: field.forward }),
                 // A demand: the curtain alone. The latch drops, without a fault.

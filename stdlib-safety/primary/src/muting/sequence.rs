@@ -50,7 +50,7 @@ pub(crate) trait Sequence: Default {
     }
     /// To IDLE, all timers cleared.
     fn idle(&mut self);
-    /// One scan of the step table from IDLE or a running step; gives a fault or 0.
+    /// One scan of the step table from IDLE or a running step, never from WAIT; gives a fault or 0.
     fn step(&mut self, field: &Self::Field, times: &Self::Times, now_ms: i64) -> i32;
     /// The pair timers of a running sequence; gives a fault or 0.
     fn overdue(&mut self, field: &Self::Field, times: &Self::Times, now_ms: i64) -> i32;

@@ -67,7 +67,6 @@ impl Step {
     /// The table of 3.3; the fault of a pattern that it does not allow.
     fn next(self, &Blocked { s1, s2, lc }: &Blocked) -> Result<Step, i32> {
         let step = match (self, s1, s2, lc) {
-            (Step::Wait, ..) => Step::Wait,
             (_, false, false, false) if self != Step::MutedCurtain => Step::Idle,
             // A demand: the curtain alone. The latch drops, without a fault.
             (Step::Idle, false, false, true) => Step::Idle,

@@ -102,8 +102,6 @@ impl Step {
     fn next(self, &Blocked { sensors, lc }: &Blocked, early: bool) -> Result<Step, i32> {
         use Sensors::{Both, None, Only};
         let step = match (self, sensors, lc) {
-            (Step::Wait, ..) => Step::Wait,
-
             (Step::Idle, None, _) => Step::Idle,
             (Step::Idle, Only(sensor), false) => Step::OneIn(sensor),
             (Step::Idle | Step::OneIn(_), Both, false) => Step::MutedIn,

@@ -3,6 +3,7 @@
 use crate::vocabulary;
 use proptest::prelude::*;
 use proptest::sample::Index;
+use proptest::test_runner::TestRunner;
 use twinrung_catalog::operand::OperandKind;
 use twinrung_catalog::{Element, MemberRole, Opcode, SafetyApplication};
 use twinrung_safety_primary::State;
@@ -302,19 +303,27 @@ pub fn implies(condition: bool, conclusion: bool) -> bool {
     !condition || conclusion
 }
 
-/// Declares property tests: each plays random runs of one instruction and demands that `holds` is true in every scan.
+/// Plays random runs of one instruction and demands that `holds` is true in every scan. One function for all tests, so
+/// that the machinery is compiled once; `PROPTEST_CASES` says how many runs.
+pub fn demand(opcode: Opcode, fixed: Fixed, holds: &dyn Fn(&Scans) -> bool) {
+    let outcome = TestRunner::default().run(&plays(opcode, fixed), |play| {
+        let violation = play.first_violation(holds);
+        prop_assert!(violation.is_none(), "{violation:#?}");
+        Ok(())
+    });
+    outcome.unwrap();
+}
+
+/// Declares tests that [`demand`] something of every scan of one instruction.
 macro_rules! always {
     ($($(#[$doc:meta])* $name:ident, $opcode:ident $fixed:tt: |$scans:ident| $holds:expr;)*) => {
-        proptest::proptest! {
-            $(
-                $(#[$doc])*
-                #[test]
-                fn $name(play in $crate::play::plays(twinrung_catalog::Opcode::$opcode, &$fixed)) {
-                    let violation = play.first_violation(|$scans| $holds);
-                    proptest::prop_assert!(violation.is_none(), "{violation:#?}");
-                }
-            )*
-        }
+        $(
+            $(#[$doc])*
+            #[test]
+            fn $name() {
+                $crate::play::demand(twinrung_catalog::Opcode::$opcode, &$fixed, &|$scans| $holds);
+            }
+        )*
     };
 }
 
