@@ -4,7 +4,8 @@ use twinrung_bytecode::limits;
 use twinrung_catalog::Element;
 use twinrung_grammar::tree::{self, BinaryOperator as Shown, UnaryOperator as ShownUnary};
 
-use super::reference::{self, Reference, Shape};
+use super::reference::{Reference, Shape};
+use super::resolve;
 use super::{Literal, Scope, literal_of};
 use crate::diagnostic::{Finding, OPERAND_TYPE, OVER_LIMIT};
 use crate::project::reading::{Context, Refusal};
@@ -202,14 +203,14 @@ pub(crate) fn expression(
             }
         },
         tree::Expression::Tag(tag) => {
-            let reference = reference::resolve(context, scope, tag, false, depth)?;
+            let reference = resolve::resolve(context, scope, tag, false, depth)?;
             let fits = reference.shape() == Shape::Word
                 && (kind != ExpressionKind::Subscript || reference.element() != Some(Element::Real));
             if fits {
                 return Ok(Expression::Reference(Box::new(reference)));
             }
             let wanted = if kind == ExpressionKind::Subscript { "SINT, INT or DINT" } else { "a number" };
-            let found = reference::describe_reference(context, &reference);
+            let found = resolve::describe_reference(context, &reference);
             Err(Finding::new(&OPERAND_TYPE, tag.span, format!("expected {wanted}, found {found}")).into())
         }
         tree::Expression::Unary { operator, operand, .. } => {

@@ -1,21 +1,21 @@
 //! Reading an operand as its declaration says.
 
-use twinrung_bytecode::image::{TypeReference, Usage};
+use twinrung_bytecode::image::TypeReference;
 use twinrung_bytecode::{format, limits};
-use twinrung_catalog::{Access, ChoiceList, Element, OperandKind};
+use twinrung_catalog::{Access, Element, OperandKind};
 use twinrung_grammar::tree::{self, Span};
 
 use super::expression::{self, ExpressionKind};
-use super::reference::{self, Reference, Shape, describe_reference, type_text};
-use super::{Literal, Operand, Scope, literal_of, system};
+use super::reference::{Reference, Shape};
+use super::resolve::{self, describe_reference};
+use super::special::{choice, constant_length, pseudo, routine, system_data};
+use super::{Literal, Operand, literal_of, system};
 use crate::diagnostic::{
-    BROKEN_OPERAND, Finding, OPERAND_TYPE, SUBSCRIPT_RANGE, UNKNOWN_CHOICE, UNKNOWN_EVENT_TASK, UNKNOWN_LABEL,
-    UNKNOWN_ROUTINE, VALUE_RANGE,
+    BROKEN_OPERAND, Finding, OPERAND_TYPE, UNKNOWN_CHOICE, UNKNOWN_EVENT_TASK, UNKNOWN_LABEL, VALUE_RANGE,
 };
 use crate::names::{closest, fold};
 use crate::project::reading::{Refusal, RungReader};
-use crate::project::{AddOnId, OperandId, OperandUse};
-use crate::rules;
+use crate::project::{OperandId, OperandUse};
 
 /// Reads one operand; `before` holds those before it in the same instruction.
 pub(crate) fn operand(
@@ -286,86 +286,12 @@ pub(crate) fn operand(
     }
 }
 
-/// Reads the tag of an Add-On Instruction call.
-pub(crate) fn read_instance(
-    reader: &mut RungReader<'_, '_>,
-    add_on: AddOnId,
-    shown: &tree::Operand,
-) -> Result<OperandId, Refusal> {
-    let id = reference_operand(reader, shown, true)?;
-    let declared = &reader.context.add_ons[add_on.position()];
-    let Some(instance_type) = declared.instance_type else { return Err(Refusal::Reported) };
-    let Some(reference) = reader.reference(id) else { return Err(Refusal::Reported) };
-    let fits = reference.type_reference == TypeReference::Structure(instance_type) && reference.dimensions == [0; 3];
-    if !fits {
-        return Err(wrong_type(reader, id, "the instance", shown.span, &format!("a tag of type {}", declared.name)));
-    }
-    if !reference.is_constant() {
-        return Err(variable(shown.span, "the instance of an Add-On Instruction"));
-    }
-    Ok(id)
-}
-
-/// Reads an argument of an Add-On Instruction call.
-pub(crate) fn read_argument(
-    reader: &mut RungReader<'_, '_>,
-    add_on: AddOnId,
-    parameter: usize,
-    shown: &tree::Operand,
-) -> Result<OperandId, Refusal> {
-    let parameter = &reader.context.add_ons[add_on.position()].parameters[parameter];
-    let wanted = parameter.type_reference.ok_or(Refusal::Reported)?;
-    let name = parameter.name.as_str();
-    if parameter.usage == Usage::InOut {
-        let id = reference_operand(reader, shown, !parameter.constant)?;
-        let Some(reference) = reader.reference(id) else { return Err(Refusal::Reported) };
-        let fits = reference.type_reference == wanted
-            && array_fits(parameter.dimensions, reference.dimensions)
-            && reference.shape() != Shape::WordBit;
-        if !fits {
-            let text = type_text(reader.context, wanted, parameter.dimensions);
-            return Err(wrong_type(reader, id, name, shown.span, &format!("data of type {text}")));
-        }
-        if !reference.is_constant() {
-            return Err(variable(shown.span, "an InOut argument"));
-        }
-        return Ok(id);
-    }
-    let reads = parameter.usage == Usage::Input;
-    if reads && let Some(id) = literal_operand(reader, shown)? {
-        if wanted == TypeReference::Element(Element::Bool) && !matches!(reader.integer(id), Some(0 | 1)) {
-            let message = format!("{name} is a BOOL: {} is neither 0 nor 1", shown.text);
-            return Err(Finding::new(&OPERAND_TYPE, shown.span, message).into());
-        }
-        return Ok(id);
-    }
-    let id = reference_operand(reader, shown, !reads)?;
-    match wanted {
-        TypeReference::Element(Element::Bool) => {
-            check(reader, id, name, shown.span, "a BOOL or a bit of an integer", is_bit)
-        }
-        _ => check(reader, id, name, shown.span, "SINT, INT, DINT or REAL", is_word),
-    }
-}
-
-/// An array may be longer than the parameter in its first dimension.
-fn array_fits(parameter: [u32; 3], argument: [u32; 3]) -> bool {
-    let ([wanted, ..], [given, ..]) = (parameter, argument);
-    parameter[1..] == argument[1..] && (given == wanted || (wanted > 0 && given > wanted))
-}
-
-fn variable(span: Span, what: &str) -> Refusal {
-    Finding::new(&OPERAND_TYPE, span, format!("{what} has a variable subscript"))
-        .help("write a constant subscript: which data an Add-On Instruction works on must not change while it runs")
-        .into()
-}
-
 impl RungReader<'_, '_> {
-    fn reference(&self, id: OperandId) -> Option<&Reference> {
+    pub(super) fn reference(&self, id: OperandId) -> Option<&Reference> {
         self.operands.table.get(id.position()).and_then(Operand::reference)
     }
 
-    fn integer(&self, id: OperandId) -> Option<i32> {
+    pub(super) fn integer(&self, id: OperandId) -> Option<i32> {
         match self.operands.table.get(id.position()) {
             Some(Operand::Integer { value, .. }) => Some(*value),
             _ => None,
@@ -381,7 +307,7 @@ impl RungReader<'_, '_> {
 }
 
 /// The operand as a reference: from the texts that were read before, or resolved.
-fn reference_operand(
+pub(super) fn reference_operand(
     reader: &mut RungReader<'_, '_>,
     shown: &tree::Operand,
     writes: bool,
@@ -393,12 +319,15 @@ fn reference_operand(
         let message = format!("{} can only be examined", format::STATUS_KEYWORDS[usize::from(keyword)]);
         return Err(Finding::new(&OPERAND_TYPE, shown.span, message).into());
     }
-    let reference = reference::reference(reader.context, reader.scope, shown, writes)?;
+    let reference = resolve::reference(reader.context, reader.scope, shown, writes)?;
     Ok(reader.operands.add_reference(&shown.text, reference))
 }
 
 /// The operand as a literal, when it begins like one.
-fn literal_operand(reader: &mut RungReader<'_, '_>, shown: &tree::Operand) -> Result<Option<OperandId>, Refusal> {
+pub(super) fn literal_operand(
+    reader: &mut RungReader<'_, '_>,
+    shown: &tree::Operand,
+) -> Result<Option<OperandId>, Refusal> {
     let begins = shown.text.as_bytes().first();
     if !begins.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+' | b'\'' | b'.')) {
         return Ok(None);
@@ -424,7 +353,11 @@ fn integer_literal(reader: &RungReader<'_, '_>, id: OperandId, span: Span, name:
     }
 }
 
-fn integer_only(reader: &mut RungReader<'_, '_>, shown: &tree::Operand, name: &str) -> Result<OperandId, Refusal> {
+pub(super) fn integer_only(
+    reader: &mut RungReader<'_, '_>,
+    shown: &tree::Operand,
+    name: &str,
+) -> Result<OperandId, Refusal> {
     match literal_operand(reader, shown)? {
         Some(id) => integer_literal(reader, id, shown.span, name),
         None => {
@@ -448,7 +381,7 @@ fn in_range(
     }
 }
 
-fn check(
+pub(super) fn check(
     reader: &RungReader<'_, '_>,
     id: OperandId,
     name: &str,
@@ -459,7 +392,7 @@ fn check(
     if reader.reference(id).is_some_and(fits) { Ok(id) } else { Err(wrong_type(reader, id, name, span, wanted)) }
 }
 
-fn wrong_type(reader: &RungReader<'_, '_>, id: OperandId, name: &str, span: Span, wanted: &str) -> Refusal {
+pub(super) fn wrong_type(reader: &RungReader<'_, '_>, id: OperandId, name: &str, span: Span, wanted: &str) -> Refusal {
     let found = match reader.reference(id) {
         Some(reference) => describe_reference(reader.context, reference),
         None => "something else".to_owned(),
@@ -469,11 +402,11 @@ fn wrong_type(reader: &RungReader<'_, '_>, id: OperandId, name: &str, span: Span
     if whole_array { finding.help("select an element with a subscript").into() } else { finding.into() }
 }
 
-fn is_bit(reference: &Reference) -> bool {
+pub(super) fn is_bit(reference: &Reference) -> bool {
     matches!(reference.shape(), Shape::Bit | Shape::WordBit)
 }
 
-fn is_word(reference: &Reference) -> bool {
+pub(super) fn is_word(reference: &Reference) -> bool {
     reference.shape() == Shape::Word
 }
 
@@ -481,129 +414,9 @@ fn is_integer(reference: &Reference) -> bool {
     reference.shape() == Shape::Word && reference.element() != Some(Element::Real)
 }
 
-fn status_keyword(text: &str) -> Option<u8> {
+pub(super) fn status_keyword(text: &str) -> Option<u8> {
     if text.as_bytes().get(1).is_none_or(|byte| *byte != b':') {
         return None;
     }
     format::STATUS_KEYWORDS.iter().position(|keyword| keyword.eq_ignore_ascii_case(text)).map(|at| at as u8)
-}
-
-fn pseudo(reader: &mut RungReader<'_, '_>, member: &str, shown: &tree::Operand) -> Result<OperandId, Refusal> {
-    if shown.is_unassigned() || shown.is_empty() {
-        return Ok(reader.operands.add_literal(&"?".into(), Operand::Unassigned));
-    }
-    let Some(id) = literal_operand(reader, shown)? else {
-        let message = format!("{member} is part of the tag: its place takes a number or `?`, not `{}`", shown.text);
-        return Err(Finding::new(&OPERAND_TYPE, shown.span, message)
-            .help(format!("move the value to the tag's {member} with MOV, and write `?` here"))
-            .into());
-    };
-    match reader.integer(id) {
-        Some(value) if value < 0 => {
-            let message = format!("{member} is {value}: it must not be negative");
-            Err(Finding::new(&VALUE_RANGE, shown.span, message).into())
-        }
-        Some(_) => Ok(id),
-        None => Err(Finding::new(&OPERAND_TYPE, shown.span, format!("{member} takes an integer")).into()),
-    }
-}
-
-fn constant_length(reader: &mut RungReader<'_, '_>, shown: &tree::Operand) -> Result<OperandId, Refusal> {
-    match literal_operand(reader, shown)? {
-        Some(id) if reader.integer(id).is_some_and(|value| value >= 1) => Ok(id),
-        Some(_) => {
-            let message = format!("the length is {}: it must be a positive number of elements", shown.text);
-            Err(Finding::new(&VALUE_RANGE, shown.span, message).into())
-        }
-        None => Err(rules::copy_length_constant::finding(shown).into()),
-    }
-}
-
-fn routine(reader: &mut RungReader<'_, '_>, shown: &tree::Operand) -> Result<OperandId, Refusal> {
-    let Scope::Program(program) = reader.scope else {
-        let message = "an Add-On Instruction cannot call a routine";
-        return Err(Finding::new(&crate::diagnostic::ADD_ON_SHAPE, shown.span, message)
-            .help("call another Add-On Instruction")
-            .into());
-    };
-    let names = &reader.context.routine_names.programs[program.position()];
-    if let Some((routine, _)) = names.get(&fold(&shown.text)) {
-        return Ok(reader.operands.add(Operand::Routine(*routine)));
-    }
-    let message = format!("the program has no routine `{}`", shown.text);
-    let finding = Finding::new(&UNKNOWN_ROUTINE, shown.span, message);
-    let like = reader
-        .context
-        .suggest(|| closest(&shown.text, names.values().map(|(_, name)| name.as_str())).map(str::to_owned));
-    Err(match like {
-        Some(like) => finding.help(format!("did you mean `{like}`?")),
-        None => finding.help("JSR calls a ladder routine of the same program"),
-    }
-    .into())
-}
-
-fn choice(
-    reader: &mut RungReader<'_, '_>,
-    list: &'static ChoiceList,
-    shown: &tree::Operand,
-) -> Result<OperandId, Refusal> {
-    let unquoted = shown.text.trim_matches(|c| c == '\'' || c == '"');
-    let value = list
-        .value(unquoted)
-        .or_else(|| twinrung_grammar::read_words(shown).ok().and_then(|words| list.value(&words.text)));
-    if let Some(value) = value {
-        return Ok(reader.operands.add(Operand::Choice(value)));
-    }
-    let message = format!("{} is not `{}`", list.name, shown.text);
-    let finding = Finding::new(&UNKNOWN_CHOICE, shown.span, message);
-    let like = closest(&unquoted.to_ascii_uppercase(), list.words.iter().map(|(word, _)| *word));
-    Err(match like {
-        Some(like) => finding.help(format!("did you mean `{like}`?")),
-        None => {
-            let mut words: Vec<&str> = Vec::new();
-            let mut seen = Vec::new();
-            for (word, value) in list.words {
-                if !seen.contains(value) {
-                    seen.push(*value);
-                    words.push(word);
-                }
-            }
-            finding.help(format!("one of: {}", words.join("; ")))
-        }
-    }
-    .into())
-}
-
-/// GSV destination and SSV source: enough data of the attribute's kind from its start.
-fn system_data(
-    reader: &mut RungReader<'_, '_>,
-    access: Access,
-    name: &str,
-    shown: &tree::Operand,
-    before: &[OperandUse],
-) -> Result<OperandId, Refusal> {
-    let id = reference_operand(reader, shown, access.writes())?;
-    let attribute = match before.get(2).map(|one| &reader.operands.table[one.id.position()]) {
-        Some(Operand::SystemValue(value)) => value.attribute,
-        _ => return Err(Refusal::Reported),
-    };
-    let wanted = if attribute.length == 1 {
-        attribute.element.name().to_owned()
-    } else {
-        format!("{} {} from its start", attribute.length, attribute.element.name())
-    };
-    let fits = |reference: &Reference| {
-        let element = match (reference.shape(), reference.type_reference) {
-            (Shape::Word | Shape::Region, TypeReference::Element(element)) => element,
-            _ => return false,
-        };
-        element == attribute.element
-    };
-    check(reader, id, name, shown.span, &wanted, fits)?;
-    let count = reader.reference(id).map_or(0, |reference| reference.location.count);
-    if count < attribute.length {
-        let message = format!("{} needs {wanted}; there are {count}", attribute.name);
-        return Err(Finding::new(&SUBSCRIPT_RANGE, shown.span, message).into());
-    }
-    Ok(id)
 }

@@ -1,17 +1,22 @@
 //! Operands as trees: what an instruction's operand says, with every name resolved. Nothing here knows the image.
 
+mod argument;
 mod expression;
 mod fit;
 mod literal;
 mod reference;
+mod resolve;
+mod special;
 mod system;
 
+pub(crate) use argument::{read_argument, read_instance};
 pub(crate) use expression::ExpressionKind;
 pub use expression::{BinaryOperator, Expression, UnaryOperator};
-pub(crate) use fit::{operand as read, read_argument, read_instance};
+pub(crate) use fit::operand as read;
 pub(crate) use literal::{Literal, literal_of};
 pub use reference::{BitPlace, Location, LocationBase, Reference, Root, Shape, Step, Subscript, Term};
-pub(crate) use reference::{Scope, Walk, alias_target};
+pub(crate) use reference::{Scope, Walk};
+pub(crate) use resolve::alias_target;
 pub use system::{SystemInstance, SystemValue};
 
 use twinrung_grammar::tree::CompactString;

@@ -11,6 +11,7 @@ pub mod task;
 pub mod types;
 
 mod build;
+mod context;
 pub(crate) mod names_in_scope;
 pub(crate) mod reading;
 pub mod standard;

@@ -179,6 +179,12 @@ impl Types {
         self.spell(name);
     }
 
+    /// Notes a name that is a type, and none of safety data: that of an Add-On Instruction of class Standard.
+    pub fn declare_not_safe(&mut self, name: &str) {
+        let fault = TypeProblem::NotSafe(name.into()).into();
+        self.states.entry(fold(name)).or_insert(State::Faulty(fault));
+    }
+
     /// Declares a structure that no declaration in reach describes, from decorated data that shows it: the type of a
     /// module's tag (neutral-text-and-l5x.md D.3). No effect when the name is known.
     pub fn declare_as_shown(&mut self, value: &Value) {

@@ -50,6 +50,9 @@ pub(super) fn declare<'a>(
                 }
                 continue;
             }
+            if !safety {
+                types.declare_not_safe(shown.name.as_str());
+            }
             if safety {
                 if let Some(fault) = name_fault(shown.name.as_str()) {
                     let message = format!("`{}` is no name: {fault}", shown.name);
