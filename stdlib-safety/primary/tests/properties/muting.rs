@@ -59,8 +59,7 @@ const CONFIGURATION: i32 = 0xF06F;
 
 /// Whether a configuration that is out of range is the one fault from the first scan on.
 fn refuses(scans: &Scans) -> bool {
-    implies(scans.now.rung, scans.now.get("FaultCode") == CONFIGURATION)
-        && implies(scans.now.on("O1"), scans.now.on("ML"))
+    implies(scans.now.rung, scans.now.get("FaultCode") == CONFIGURATION) && !scans.now.on("O1")
 }
 
 fn accepts(scans: &Scans) -> bool {
