@@ -1,4 +1,6 @@
 //! TON, TOF and RTO without branches. general-instructions.md A.2.
+//!
+//! They are inlined into the loops over records, so that a timer's members stay in registers.
 
 /// A timer's members and its hidden time stamp.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +29,7 @@ const fn select_time(condition: bool, yes: i64, no: i64) -> i64 {
 }
 
 /// ACC with the time since the last stamp; it stays at the greatest DINT.
+#[inline(always)]
 fn stepped(state: &TimerState, now_ms: i64) -> i32 {
     let passed = now_ms.saturating_sub(state.last_time);
     let sum = i64::from(state.accumulated).saturating_add(passed);
@@ -34,6 +37,7 @@ fn stepped(state: &TimerState, now_ms: i64) -> i32 {
 }
 
 /// TON.
+#[inline(always)]
 pub(crate) fn on_delay(state: TimerState, input: bool, now_ms: i64) -> TimerState {
     let counting = input & !state.done & state.enabled;
     let stepped = stepped(&state, now_ms);
@@ -49,6 +53,7 @@ pub(crate) fn on_delay(state: TimerState, input: bool, now_ms: i64) -> TimerStat
 }
 
 /// RTO.
+#[inline(always)]
 pub(crate) fn retentive(state: TimerState, input: bool, now_ms: i64) -> TimerState {
     let counting = input & !state.done & state.enabled;
     let stepped = stepped(&state, now_ms);
@@ -64,6 +69,7 @@ pub(crate) fn retentive(state: TimerState, input: bool, now_ms: i64) -> TimerSta
 }
 
 /// TOF.
+#[inline(always)]
 pub(crate) fn off_delay(state: TimerState, input: bool, now_ms: i64) -> TimerState {
     let counting = !input & state.done & !state.enabled;
     let stepped = stepped(&state, now_ms);

@@ -141,6 +141,12 @@ impl Function {
         (!self.table).reverse_bits().rotate_left(2)
     }
 
+    /// The table as a narrow panel holds it: of up to four contacts, whose weighted sum is 17 less the row, modulo 32.
+    pub(crate) const fn narrow_table(&self) -> u32 {
+        let rows = (self.table & 0xFFFF) as u32;
+        (!(rows | (rows << 16))).reverse_bits().rotate_left(2)
+    }
+
     /// The cells as a panel holds them; unused places repeat the first, or `spare`.
     pub(crate) fn panel_inputs(&self, spare: u32) -> [u32; CONTACTS] {
         let mut inputs = [self.cells().first().copied().unwrap_or(spare); CONTACTS];
@@ -175,6 +181,21 @@ mod tests {
             let values = [(10, a), (11, b), (12, c), (13, d)];
             let inner = c || (d && !a);
             assert_eq!(value(&network, &values), a && !b && inner, "row {row}");
+        }
+    }
+
+    #[test]
+    fn narrow_table_when_every_combination_is_looked_up_then_as_the_wide_one() {
+        let network = Function::contact(1, true)
+            .join(&Function::contact(2, false), Join::Series)
+            .and_then(|network| network.join(&Function::contact(3, true), Join::Parallel))
+            .and_then(|network| network.join(&Function::contact(4, false), Join::Series))
+            .unwrap();
+        for row in 0..16u64 {
+            let sum: u64 = (0..4).map(|k| (0xFF ^ (row >> k & 1)) << k).sum();
+            let wide: u64 = (0..6).map(|k| (0xFF ^ (row >> k & 1)) << k).sum();
+            let narrow = network.narrow_table().wrapping_shr(sum as u32) & 1;
+            assert_eq!(u64::from(narrow), network.panel_table().wrapping_shr(wide as u32) & 1, "row {row}");
         }
     }
 

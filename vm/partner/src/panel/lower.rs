@@ -7,7 +7,7 @@ use twinrung_catalog::{Element, Opcode, Position};
 
 use super::effect::{self, Effects, is_admissible};
 use super::function::{Function, Join};
-use super::record::{Compare, Extract, Insert, Move, Other, Panel, Records, Sum, Timer};
+use super::record::{Compare, Extract, Insert, Move, NarrowPanel, Other, Panel, Records, Sum, Timer};
 use super::schedule::Scheduler;
 use super::{Kind, Panels};
 use crate::ladder::{Argument, Code, Expression, Location, NONE, Operation, OwnCells, Span, Step};
@@ -68,8 +68,10 @@ pub(crate) enum Verdict {
 /// One record before it has its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Work {
+    /// A network of up to four contacts; how many of its inputs count.
+    Narrow(NarrowPanel<u32>, u8),
     /// A network; how many of its inputs count.
-    Panel(Panel<u32>, u8),
+    Wide(Panel<u32>, u8),
     /// A comparison.
     Compare(Compare<u32>),
     /// A bit out of a word.
@@ -291,9 +293,15 @@ impl Network<'_, '_, '_> {
     // ---- networks
 
     fn push(&mut self, output: u32, function: &Function) {
-        let panel =
-            Panel { table: function.panel_table(), inputs: function.panel_inputs(self.tables.own.true_bit), output };
-        self.lowering.works.push(Work::Panel(panel, function.cells().len() as u8));
+        let count = function.cells().len() as u8;
+        let inputs = function.panel_inputs(self.tables.own.true_bit);
+        let [a, b, c, d, ..] = inputs;
+        self.lowering.works.push(if count <= 4 {
+            let inputs = [a, b, c, d];
+            Work::Narrow(NarrowPanel { table: function.narrow_table(), inputs, output }, count)
+        } else {
+            Work::Wide(Panel { table: function.panel_table(), inputs, output }, count)
+        });
     }
 
     /// Evaluates a network into a cell of its own.

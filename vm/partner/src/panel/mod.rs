@@ -25,32 +25,35 @@ use record::{Pools, Records};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[repr(u8)]
 pub(crate) enum Kind {
-    /// Networks of up to six contacts.
-    Panel = 0,
+    /// Networks of up to four contacts.
+    Narrow = 0,
+    /// Networks of five or six contacts.
+    Wide = 1,
     /// Integer comparisons.
-    Compare = 1,
+    Compare = 2,
     /// Bits out of words.
-    Extract = 2,
+    Extract = 3,
     /// Bits into words.
-    Insert = 3,
+    Insert = 4,
     /// TON.
-    OnDelay = 4,
+    OnDelay = 5,
     /// TOF.
-    OffDelay = 5,
+    OffDelay = 6,
     /// RTO.
-    Retentive = 6,
+    Retentive = 7,
     /// MOV and CLR of integers.
-    Move = 7,
+    Move = 8,
     /// ADD and SUB of integers.
-    Sum = 8,
+    Sum = 9,
     /// Any other instruction.
-    Other = 9,
+    Other = 10,
 }
 
 impl Kind {
     /// All kinds, in the order in which runs follow each other.
-    pub(crate) const ALL: [Kind; 10] = [
-        Kind::Panel,
+    pub(crate) const ALL: [Kind; 11] = [
+        Kind::Narrow,
+        Kind::Wide,
         Kind::Compare,
         Kind::Extract,
         Kind::Insert,

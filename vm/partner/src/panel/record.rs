@@ -44,6 +44,17 @@ pub(crate) struct Panel<I> {
     pub(crate) output: I,
 }
 
+/// A network of up to four contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct NarrowPanel<I> {
+    /// Conduction, by the sum of the weighted bytes modulo 32; complemented.
+    pub(crate) table: u32,
+    /// The contacts' cells; unused ones repeat another.
+    pub(crate) inputs: [I; 4],
+    /// The cell that receives the result.
+    pub(crate) output: I,
+}
+
 /// An integer comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Compare<I> {
@@ -146,7 +157,9 @@ pub(crate) struct Other {
 /// Records by kind.
 #[derive(Debug, Clone)]
 pub(crate) struct Pools<I> {
-    /// Networks.
+    /// Networks of up to four contacts.
+    pub(crate) narrow: Vec<NarrowPanel<I>>,
+    /// Networks of more.
     pub(crate) panels: Vec<Panel<I>>,
     /// Comparisons.
     pub(crate) compares: Vec<Compare<I>>,
@@ -167,6 +180,7 @@ pub(crate) struct Pools<I> {
 impl<I> Default for Pools<I> {
     fn default() -> Pools<I> {
         Pools {
+            narrow: Vec::new(),
             panels: Vec::new(),
             compares: Vec::new(),
             extracts: Vec::new(),
@@ -205,6 +219,11 @@ impl Pools<u32> {
     fn narrow(self) -> Pools<u16> {
         let cell = u16::narrow;
         Pools {
+            narrow: self
+                .narrow
+                .into_iter()
+                .map(|from| NarrowPanel { table: from.table, inputs: from.inputs.map(cell), output: cell(from.output) })
+                .collect(),
             panels: self
                 .panels
                 .into_iter()

@@ -2,7 +2,7 @@
 
 use twinrung_bytecode::observer::Observer;
 
-use super::record::{Compare, Extract, Index, Insert, Move, Other, Panel, Pools, Records, Sum, Timer};
+use super::record::{Compare, Extract, Index, Insert, Move, NarrowPanel, Other, Panel, Pools, Records, Sum, Timer};
 use super::{Kind, Region, Run};
 use crate::ladder::{Code, Ladder, NONE};
 use crate::memory::{LARGE, MEDIUM, SMALL};
@@ -20,6 +20,8 @@ struct Recorded {
 }
 
 impl Recorded {
+    // Inlined: what it updates stays in registers over a whole run.
+    #[inline(always)]
     fn record(&mut self, condition: bool, sequence: u32, flags: u64, overflow: bool) {
         let key = (u64::from(sequence) << FLAG_BITS) | flags;
         self.key = self.key.max(key & u64::from(condition).wrapping_neg());
@@ -56,6 +58,16 @@ fn word_at<const N: usize>(words: &[u32; N], position: usize) -> i32 {
 fn put<const N: usize>(words: &mut [u32; N], position: usize, value: i32) {
     if let Some(cell) = words.get_mut(position & N.wrapping_sub(1)) {
         *cell = !(value as u32);
+    }
+}
+
+fn narrow_panels<I: Index, const N: usize>(bits: &mut [u8; N], records: &[NarrowPanel<I>]) {
+    for panel in records {
+        let [a, b, c, d] = panel.inputs.map(|cell| u32::from(read(bits, cell)));
+        let low = a.wrapping_add(b << 1);
+        let high = c.wrapping_add(d << 1);
+        let conducts = panel.table.wrapping_shr(low.wrapping_add(high << 2)) as u8;
+        write(bits, panel.output.at(), conducts | 0xFE);
     }
 }
 
@@ -134,6 +146,7 @@ fn timers<I: Index, const N: usize>(
 }
 
 /// A value narrowed to a type with so many unused bits above it, and its flags.
+#[inline(always)]
 fn narrowed(value: i32, above: u8, overflow: bool, carry: bool) -> (i32, u64, bool) {
     let above = u32::from(above);
     let stored = value.wrapping_shl(above).wrapping_shr(above);
@@ -221,7 +234,8 @@ impl<O: Observer> Walker<'_, O> {
             let Ok(stamps) = <&mut [i64; N]>::try_from(memory.stamps.as_mut_slice()) else { continue };
             let mut recorded = Recorded { key: self.state.status.key, overflows: 0 };
             match run.kind {
-                Kind::Panel => panels(bits, part(&pools.panels, run)),
+                Kind::Narrow => narrow_panels(bits, part(&pools.narrow, run)),
+                Kind::Wide => panels(bits, part(&pools.panels, run)),
                 Kind::Compare => compares(bits, words, part(&pools.compares, run)),
                 Kind::Extract => extracts(bits, words, part(&pools.extracts, run)),
                 Kind::Insert => inserts(bits, words, part(&pools.inserts, run)),

@@ -61,7 +61,8 @@ enum Status {
 
 fn kind(work: &Work) -> Kind {
     match work {
-        Work::Panel(..) => Kind::Panel,
+        Work::Narrow(..) => Kind::Narrow,
+        Work::Wide(..) => Kind::Wide,
         Work::Compare(_) => Kind::Compare,
         Work::Extract(_) => Kind::Extract,
         Work::Insert(_) => Kind::Insert,
@@ -87,7 +88,13 @@ fn status(work: &Work) -> Status {
 fn touches(work: &Work, effects: &Effects, mut touch: impl FnMut(Effect)) {
     let mut bit = |cell: u32, written: bool| touch(Effect { cell, word: false, written });
     match work {
-        Work::Panel(panel, count) => {
+        Work::Narrow(panel, count) => {
+            for cell in panel.inputs.iter().take(usize::from(*count)) {
+                bit(*cell, false);
+            }
+            bit(panel.output, true);
+        }
+        Work::Wide(panel, count) => {
             for cell in panel.inputs.iter().take(usize::from(*count)) {
                 bit(*cell, false);
             }
@@ -267,7 +274,7 @@ impl Scheduler {
         let mut turn = Kind::Compare as usize;
         let mut idle = 0usize;
         while idle < Kind::ALL.len() {
-            let kind = Kind::ALL.get(turn).copied().unwrap_or(Kind::Panel);
+            let kind = Kind::ALL.get(turn).copied().unwrap_or(Kind::Narrow);
             let begin = self.pool_length(kind);
             while let Some(work) = ready.get_mut(turn).and_then(VecDeque::pop_front) {
                 if let Some(record) = works.get(work as usize) {
@@ -290,13 +297,21 @@ impl Scheduler {
             } else {
                 idle = idle.saturating_add(1);
             }
-            turn = if turn.saturating_add(1) >= Kind::ALL.len() { 0 } else { turn.saturating_add(1) };
+            // Networks as long as there are any, then one kind after the other.
+            let narrow_wait = ready.get(Kind::Narrow as usize).is_some_and(|queue| !queue.is_empty());
+            let last = turn.saturating_add(1) >= Kind::ALL.len();
+            turn = if last || (kind == Kind::Wide && narrow_wait) {
+                Kind::Narrow as usize
+            } else {
+                turn.saturating_add(1)
+            };
         }
     }
 
     fn pool_length(&self, kind: Kind) -> u32 {
         let length = match kind {
-            Kind::Panel => self.pools.panels.len(),
+            Kind::Narrow => self.pools.narrow.len(),
+            Kind::Wide => self.pools.panels.len(),
             Kind::Compare => self.pools.compares.len(),
             Kind::Extract => self.pools.extracts.len(),
             Kind::Insert => self.pools.inserts.len(),
@@ -310,7 +325,8 @@ impl Scheduler {
 
     fn put(&mut self, work: &Work) {
         match work {
-            Work::Panel(panel, _) => self.pools.panels.push(*panel),
+            Work::Narrow(panel, _) => self.pools.narrow.push(*panel),
+            Work::Wide(panel, _) => self.pools.panels.push(*panel),
             Work::Compare(compare) => self.pools.compares.push(*compare),
             Work::Extract(extract) => self.pools.extracts.push(*extract),
             Work::Insert(insert) => self.pools.inserts.push(*insert),
