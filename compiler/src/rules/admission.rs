@@ -3,8 +3,11 @@
 use twinrung_catalog::{Family, Instruction, Requires};
 use twinrung_grammar::tree::Name;
 
-use crate::diagnostic::Finding;
-use crate::project::Profile;
+use crate::diagnostic::{Finding, Findings};
+use crate::project::{Profile, Project};
+
+/// First version that has safety Add-On Instructions (1756-RM093, neutral-text-and-l5x.md D.8).
+const ADD_ON_INSTRUCTIONS_FROM: u16 = 18;
 
 rule! {
     /// An instruction that this controller does not admit.
@@ -41,4 +44,16 @@ pub(crate) fn finding(profile: &Profile, declaration: &Instruction, mnemonic: &N
         return Some(Finding::new(&CODE, mnemonic.span, message).help("use another instruction, or a later revision"));
     }
     None
+}
+
+/// Safety Add-On Instructions on a revision that has none.
+pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let Some(profile) = project.profile.filter(|profile| profile.revision < ADD_ON_INSTRUCTIONS_FROM) else { return };
+    for add_on in &project.add_ons {
+        let message = format!(
+            "safety Add-On Instructions exist from revision {ADD_ON_INSTRUCTIONS_FROM} on; this is {}",
+            profile.display()
+        );
+        findings.push(Finding::new(&CODE, add_on.span, message).help("write its rungs as a subroutine, or take a later revision"));
+    }
 }

@@ -117,6 +117,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
 
 /// Rules over whole projects; findings are ordered by place afterwards.
 static ALL: &[fn(&Project, &mut Findings)] = &[
+    admission::check,
     pending_edits::check,
     preset::check,
     real::check,

@@ -4,7 +4,7 @@ use twinrung_bytecode::observer::Observer;
 
 use twinrung_catalog::Element;
 
-use super::{FaultCode, Run};
+use super::{FaultCode, Run, SUBSCRIPT};
 use crate::number::narrowed;
 use crate::program::{Content, CopyPlan, Instruction, Operand, Side, SystemValue};
 
@@ -27,14 +27,15 @@ impl<O: Observer> Run<'_, O> {
         })
     }
 
-    /// GSV with a true rung. A destination that is too small is a minor fault 4/7 and stays as it is. REQ-EXEC-019.
+    /// GSV with a true rung. REQ-EXEC-019.
     pub(super) fn get_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
         let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
         let data = self.data(instruction, plan.destination)?;
-        let Some((word, element, _)) = data.filter(|(_, _, room)| *room >= value.length) else {
-            self.minor_fault();
-            return Ok(());
-        };
+        let Some((word, element, room)) = data else { return Ok(()) };
+        // The loader admits only data with room enough; a variable subscript may take it away.
+        if room < value.length {
+            return Err(SUBSCRIPT);
+        }
         let record = value.record_of.and_then(|program| self.machine.records.get(usize::from(program)).copied());
         for index in 0..value.length {
             let number = match &record {
@@ -47,15 +48,14 @@ impl<O: Observer> Run<'_, O> {
         Ok(())
     }
 
-    /// SSV with a true rung: a program's MajorFaultRecord. Too little data is a minor fault 4/6.
+    /// SSV with a true rung: a program's MajorFaultRecord.
     pub(super) fn set_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
         let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
         let data = self.data(instruction, plan.source)?;
-        let fitting = data.filter(|(_, _, room)| *room >= value.length);
-        let (Some((word, _, _)), Some(program)) = (fitting, value.record_of) else {
-            self.minor_fault();
-            return Ok(());
-        };
+        let (Some((word, _, room)), Some(program)) = (data, value.record_of) else { return Ok(()) };
+        if room < value.length {
+            return Err(SUBSCRIPT);
+        }
         let mut record = [0i32; 11];
         for (index, number) in (0u32..).zip(&mut record) {
             *number = self.machine.word(word.saturating_add(index));
