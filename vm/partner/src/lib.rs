@@ -4,11 +4,11 @@
 //! written from the reference alone and shares nothing with the primary but the image's records and the interface
 //! `twinrung_bytecode::channel`.
 //!
-//! - [`mod@load`] decodes the image: every routine, and every call of an Add-On Instruction or of a safety application
+//! - `load` decodes the image: every routine, and every call of an Add-On Instruction or of a safety application
 //!   instruction (whose ladder comes from the partner's half of the library), becomes a body of steps with resolved cells;
-//! - [`mod@panel`] takes what can neither fault nor jump as regions: series/parallel networks as conduction tables over
+//! - `panel` takes what can neither fault nor jump as regions: series/parallel networks as conduction tables over
 //!   six contacts, timers, comparisons and sums as uniform records, in an order that keeps every dependency;
-//! - [`mod@walk`] executes what is left step by step: jumps, calls, subscripts, faults, prescan, and everything while an
+//! - `walk` executes what is left step by step: jumps, calls, subscripts, faults, prescan, and everything while an
 //!   observer looks on.
 //!
 //! It may depend on the catalog, the image's records and the partner's half of the library; never on the primary, on
