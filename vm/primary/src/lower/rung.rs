@@ -236,7 +236,8 @@ impl Lowering<'_, '_> {
             Opcode::Fll => {
                 !fill_fits(first, second) || self.out_of_array(instruction) || self.touches_too_much(instruction)
             }
-            Opcode::Cop | Opcode::Gsv => self.out_of_array(instruction) || self.touches_too_much(instruction),
+            Opcode::Gsv => self.lacks_room(instruction) || self.touches_too_much(instruction),
+            Opcode::Cop => self.out_of_array(instruction) || self.touches_too_much(instruction),
             _ => self.touches_too_much(instruction),
         }
     }
@@ -257,6 +258,14 @@ impl Lowering<'_, '_> {
         let source = bytes.checked_div(plan.source.bytes).unwrap_or(0);
         let source_fits = instruction.opcode == Opcode::Fll || source <= plan.source.count;
         !source_fits || plan.length > plan.destination.count
+    }
+
+    /// Whether the destination of a GSV has too few elements: it faults whenever it is executed.
+    fn lacks_room(&self, instruction: Instruction) -> bool {
+        let Operand::SystemValue(index) = self.program.operand(instruction.operands, 2) else { return true };
+        let value = self.program.system_values.get(usize::from(index));
+        let plan = self.program.copies.get(instruction.extra as usize);
+        !matches!((value, plan), (Some(value), Some(plan)) if value.length <= plan.destination.count)
     }
 
     fn touches_too_much(&self, instruction: Instruction) -> bool {

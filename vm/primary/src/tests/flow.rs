@@ -181,19 +181,31 @@ fn event_when_true_then_is_counted_for_the_scan() {
 #[test]
 fn system_value_when_destination_is_narrower_then_is_cut_without_overflow() {
     let mut assembler = assembler("i DINT; p SINT; n INT");
-    for (attribute, first) in [(13, 0), (5, 1), (6, 2), (2, 3)] {
+    for (attribute, first) in [(13, 0), (5, 1), (6, 2)] {
         let value = SystemValueRecord { attribute, instance: 0, first, program: None };
         assembler.image.system_values.push(value);
     }
-    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p)GSV(TASK,T,3,p)"]);
+    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p)"]);
     let mut rig = Rig::of(assembler);
-    rig.system_values = alloc::vec![1, 7, 10_000, 5, 6];
+    rig.system_values = alloc::vec![1, 7, 10_000];
     rig.set("i", 0x0102_0304);
     rig.scan();
     assert_eq!(rig.all("i n p"), [1, 7, 16]);
-    assert!(!rig.status().overflow);
-    assert_eq!(rig.status().minor_faults, 1);
-    assert!(rig.status().minor_fault);
+    assert_eq!((rig.status().overflow, rig.status().minor_faults), (false, 0));
+}
+
+#[test]
+fn system_value_when_a_subscript_leaves_too_little_room_then_faults() {
+    let mut assembler = assembler("arr DINT[3]; i DINT");
+    assembler.image.system_values.push(SystemValueRecord { attribute: 2, instance: 0, first: 0, program: None });
+    assembler.main(&["GSV(TASK,T,0,arr[i])"]);
+    let mut rig = Rig::of(assembler);
+    rig.system_values = alloc::vec![5, 6];
+    rig.set("i", 1);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("arr[1] arr[2]"), [5, 6]);
+    rig.set("i", 2);
+    assert_eq!(code(rig.scan()), 20);
 }
 
 fn scaled(with_false: &[&str]) -> Rig {

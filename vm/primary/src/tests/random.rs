@@ -323,6 +323,7 @@ fn random_programs_when_run_by_steps_and_by_text_then_are_equal() {
     let count = std::env::var("PROGRAMS").ok().and_then(|count| count.parse().ok()).unwrap_or(300);
     let first: u64 = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(1);
     for seed in first..first + count {
+        // Names the program that fails.
         std::eprintln!("seed {seed}");
         run(seed, 12);
     }
