@@ -47,7 +47,12 @@ impl<O: Observer> Walker<'_, O> {
         };
         let skipped = if span.moves { found.skipped } else { 0 };
         let count = span.count.saturating_sub(skipped);
-        Ok(Some(Stretch { span, bit, word, element: element_of(found.location), count }))
+        // The place of an array is a region, which has no type: its elements' only field has it.
+        let element = match self.ladder.fields.get(span.first_field as usize) {
+            Some(field) if span.fields == 1 => field.element,
+            _ => element_of(found.location),
+        };
+        Ok(Some(Stretch { span, bit, word, element, count }))
     }
 
     /// Whether so many bytes fit on their way.
