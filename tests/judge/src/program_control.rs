@@ -139,6 +139,8 @@ impl<'p> Judge<'p> {
         match (self.memory.get_mut(target), value) {
             (Value::Bit(to), Value::Integer(_, number)) => *to = number != 0,
             (Value::Integer(element, to), Value::Integer(_, number)) => *to = crate::memory::narrowed(*element, number),
+            // A NaN takes its one form, as wherever a number is stored (REQ-EXEC-003).
+            (to, Value::Real(bits)) => *to = Value::Real(crate::arithmetic::canonical(bits)),
             (to, value) => *to = value,
         }
     }

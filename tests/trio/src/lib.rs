@@ -5,12 +5,14 @@
 
 #![forbid(unsafe_code)]
 
+mod campaign;
 mod disagreement;
 pub mod generate;
 mod replay;
 mod subject;
 mod trio;
 
+pub use campaign::Campaign;
 pub use disagreement::Disagreement;
 pub use replay::{Counts, Outcome, replay, shrink};
 pub use subject::{Subject, library};

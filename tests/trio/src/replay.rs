@@ -36,6 +36,17 @@ pub struct Counts {
     pub instructions: u64,
 }
 
+impl Counts {
+    /// Adds those of another run.
+    pub fn add(&mut self, other: Counts) {
+        self.scans += other.scans;
+        self.faulted += other.faulted;
+        self.over_budget += other.over_budget;
+        self.cleared += other.cleared;
+        self.instructions += other.instructions;
+    }
+}
+
 /// Runs all steps, or until the evaluators disagree.
 pub fn replay(text: &str, stimulus: &Stimulus) -> Outcome {
     let mut steps = 0;
@@ -71,8 +82,8 @@ fn run(text: &str, stimulus: &Stimulus, steps: &mut usize) -> Outcome {
             Err(disagreement) => return Outcome::Failed { report: disagreement.to_string(), steps: *steps },
         }
         counts.scans += 1;
-        counts.instructions += trio.executed();
     }
+    counts.instructions = trio.executed();
     counts.cleared = u64::from(trio.status().cleared_faults);
     Outcome::Agreed(counts)
 }
@@ -88,7 +99,9 @@ pub fn shrink(generated: &Generated, stimulus: &Stimulus) -> (String, Stimulus, 
     }
     let mut attempt = |text: &mut String, stimulus: &mut Stimulus, smaller: String| {
         let declared = only_declared(stimulus, &smaller);
-        if let Outcome::Failed { report: found, steps } = replay(&smaller, &declared) {
+        if let Outcome::Failed { report: found, steps } = replay(&smaller, &declared)
+            && same_kind(&report, &found)
+        {
             report = found;
             *text = smaller;
             *stimulus = declared;
@@ -136,6 +149,12 @@ pub fn shrink(generated: &Generated, stimulus: &Stimulus) -> (String, Stimulus, 
         }
     }
     (text, stimulus, report)
+}
+
+/// Whether two reports tell of the same kind of failure; a panic that shrinking caused is none.
+fn same_kind(first: &str, second: &str) -> bool {
+    let panics = |report: &str| report.starts_with("panic: ");
+    if panics(first) { first == second } else { !panics(second) }
 }
 
 fn without_lines(text: &str, from: usize, count: usize) -> String {

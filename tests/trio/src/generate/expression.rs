@@ -10,7 +10,11 @@ impl Writer<'_> {
             return self.atom();
         }
         match self.random.below(10) {
-            0 => format!("-({})", self.expression(depth - 1)),
+            0 => {
+                let inner = self.expression(depth - 1);
+                // A sign before a bit pattern is refused.
+                if inner.starts_with(|first: char| first.is_ascii_digit()) { inner } else { format!("-({inner})") }
+            }
             1 => format!("NOT ({})", self.expression(depth - 1)),
             2 => format!("ABS({})", self.expression(depth - 1)),
             3 => format!("SQR({})", self.expression(depth - 1)),
@@ -50,7 +54,7 @@ impl Writer<'_> {
 
     fn operator(&mut self) -> &'static str {
         const OPERATORS: &[&str] = &["+", "-", "*", "/", "MOD", "AND", "OR", "XOR", "+", "-"];
-        *self.random.of::<&'static str>(OPERATORS)
+        self.random.of::<&'static str>(OPERATORS)
     }
 
     fn atom(&mut self) -> String {

@@ -59,7 +59,10 @@ impl Writer<'_> {
             OperandKind::Resettable => {
                 let off_timers = self.off_timers.clone();
                 let fits = |place: &Place| {
-                    place.kind.is_structure() && !place.is_array() && place.writable && !off_timers.contains(&place.base)
+                    place.kind.is_structure()
+                        && !place.is_array()
+                        && place.writable
+                        && !off_timers.contains(&place.base)
                 };
                 self.place(fits).map(|named| named.text)
             }
@@ -151,7 +154,8 @@ impl Writer<'_> {
                 let fits = |place: &Place| {
                     place.kind == Kind::Element(attribute.element)
                         && (place.writable || !access.writes())
-                        && place.sizes().iter().product::<u32>() >= if attribute.length > 1 { attribute.length } else { 0 }
+                        && place.sizes().iter().product::<u32>()
+                            >= if attribute.length > 1 { attribute.length } else { 0 }
                 };
                 let named = (0..8).find_map(|_| self.place(fits).filter(|one| one.count >= attribute.length))?;
                 Some(named.text)
@@ -264,7 +268,8 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        self.place(|place| place.kind == kind && !place.is_array() && (place.writable || !writes)).map(|named| named.text)
+        self.place(|place| place.kind == kind && !place.is_array() && (place.writable || !writes))
+            .map(|named| named.text)
     }
 }
 

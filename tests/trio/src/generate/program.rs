@@ -22,7 +22,8 @@ pub fn program(seed: u64, size: Size) -> Generated {
     listed.iter().for_each(|record| text::record(&mut body, record, &listed));
     shared.event_tasks = ["Report", "Log"].iter().take(random.between(1, 2)).map(|name| (*name).to_owned()).collect();
     let programs = random.between(1, size.programs);
-    shared.programs = ["Safety_Main", "Safety_Second", "Safety_Third"].iter().take(programs).map(|name| (*name).to_owned()).collect();
+    shared.programs =
+        ["Safety_Main", "Safety_Second", "Safety_Third"].iter().take(programs).map(|name| (*name).to_owned()).collect();
     for number in 0..random.between(0, size.add_ons) {
         add_on(random, &mut shared, number, &mut body);
     }
@@ -35,9 +36,17 @@ pub fn program(seed: u64, size: Size) -> Generated {
         safety_program(random, &shared, &outer, number, size, &mut body);
     }
     let mut whole = String::new();
-    text::line_of(&mut whole, 0, "CONTROLLER Random_Program (ProcessorType := \"1756-L73S\", Major := 20, SafetyNetwork := 16#0000_0000_0001_0001)");
+    text::line_of(
+        &mut whole,
+        0,
+        "CONTROLLER Random_Program (ProcessorType := \"1756-L73S\", Major := 20, SafetyNetwork := 16#0000_0000_0001_0001)",
+    );
     whole.push_str(&body);
-    text::line_of(&mut whole, 2, "TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 10, Watchdog := 10, Priority := 5)");
+    text::line_of(
+        &mut whole,
+        2,
+        "TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 10, Watchdog := 10, Priority := 5)",
+    );
     shared.programs.iter().for_each(|name| text::line_of(&mut whole, 4, &format!("{name};")));
     text::line_of(&mut whole, 2, "END_TASK");
     for task in &shared.event_tasks {
@@ -55,11 +64,21 @@ fn records(random: &mut Random) -> Vec<Record> {
     let member = |name: &str, kind: Kind, length: u32| Member { name: name.to_owned(), kind, length };
     let twelve = Record {
         name: "Twelve".to_owned(),
-        members: vec![member("Whole", DINT, 0), member("Half", INT, 2), member("First", BOOL, 0), member("Second", BOOL, 0)],
+        members: vec![
+            member("Whole", DINT, 0),
+            member("Half", INT, 2),
+            member("First", BOOL, 0),
+            member("Second", BOOL, 0),
+        ],
     };
     let inner = Record {
         name: "Inner".to_owned(),
-        members: vec![member("Speed", REAL, 0), member("Flags", BOOL, 32), member("Ready", BOOL, 0), member("Small", SINT, 3)],
+        members: vec![
+            member("Speed", REAL, 0),
+            member("Flags", BOOL, 32),
+            member("Ready", BOOL, 0),
+            member("Small", SINT, 3),
+        ],
     };
     let mut members = vec![
         member("Parts", Kind::Record(1), 2),
@@ -146,9 +165,11 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
         drive(format!("Places[{number}]"), Element::Dint, Some(3));
     }
     add(Variable::new("Places", DINT).array([3, 0, 0]).role(Role::Index(3)));
-    for (name, target, kind) in
-        [("Alias_Word", "Plane[1,2]", DINT), ("Alias_Bit", "Dint0.17", BOOL), ("Alias_Part", "Outer_One.Parts[1]", Kind::Record(1))]
-    {
+    for (name, target, kind) in [
+        ("Alias_Word", "Plane[1,2]", DINT),
+        ("Alias_Bit", "Dint0.17", BOOL),
+        ("Alias_Part", "Outer_One.Parts[1]", Kind::Record(1)),
+    ] {
         add(Variable { alias: Some(target.to_owned()), ..Variable::new(name, kind) });
     }
     inputs
@@ -237,7 +258,9 @@ fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: u
         let rungs = writer.random.between(1, (size.rungs / 4).max(2));
         list.extend(writer.rungs(rungs));
         let return_call = writer.call(twinrung_catalog::Opcode::Ret.instruction());
-        list.extend(return_call.map(|call| if writer.random.percent(30) { format!("{}{call}", writer.input()) } else { call }));
+        list.extend(
+            return_call.map(|call| if writer.random.percent(30) { format!("{}{call}", writer.input()) } else { call }),
+        );
         routines.push((subroutine.name.clone(), list));
     }
     if has_fault_routine {

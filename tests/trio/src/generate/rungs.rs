@@ -129,11 +129,7 @@ impl Writer<'_> {
 
     /// RET and TND stand behind a condition, or most routines would end at their first.
     fn sometimes(&mut self, instruction: &Instruction, text: String) -> String {
-        if instruction.position == Position::Ending {
-            format!("{}{}{text}", self.input(), self.input())
-        } else {
-            text
-        }
+        if instruction.position == Position::Ending { format!("{}{}{text}", self.input(), self.input()) } else { text }
     }
 
     /// An instruction that computes the rung condition.
@@ -231,7 +227,9 @@ impl Writer<'_> {
         };
         let (member, value) = match named.kind {
             Kind::Counter => (*self.random.of(&["PRE", "ACC"]), literals::integer(self.random)),
-            Kind::Control => (*self.random.of(&["LEN", "POS"]), self.random.below(6) as i32 - i32::from(self.random.one_in(20))),
+            Kind::Control => {
+                (*self.random.of(&["LEN", "POS"]), self.random.below(6) as i32 - i32::from(self.random.one_in(20)))
+            }
             _ => (*self.random.of(&["PRE", "ACC"]), self.random.below(80) as i32 - i32::from(self.random.one_in(20))),
         };
         format!("{condition}MOV({value},{}.{member})", named.text)

@@ -34,8 +34,9 @@ pub fn stimulus(seed: u64, generated: &Generated, scans: usize) -> Stimulus {
     let mut beyond = vec![false; generated.inputs.len()];
     let mut steps = Vec::with_capacity(scans + 1);
     for scan in 0..=scans {
-        let values = if scan == 0 { first_values(&mut random, generated) } else { moved(&mut random, generated, &mut beyond) };
-        steps.push(Step { now_ms, prescan: scan == 0 || random.one_in(60), values });
+        let values =
+            if scan == 0 { first_values(&mut random, generated) } else { moved(&mut random, generated, &mut beyond) };
+        steps.push(Step { now_ms, prescan: scan == 0 || random.one_in(200), values });
         now_ms += match random.below(200) {
             0 => 0,
             1 => 1,

@@ -51,12 +51,9 @@ pub struct Shared {
 pub struct Named {
     pub text: String,
     pub kind: Kind,
-    pub dimensions: [u32; 3],
     pub base: String,
     /// Elements of its array from it on, as far as its constant subscripts tell.
     pub count: u32,
-    /// Whether no subscript is variable.
-    pub constant: bool,
     /// Sizes of the array that it is, or is an element of.
     pub sizes: Vec<u32>,
 }
@@ -121,7 +118,7 @@ impl Writer<'_> {
 
     fn named(&mut self, place: &Place, constant: bool) -> Named {
         let mut text = String::new();
-        let (mut is_constant, mut count) = (true, 1);
+        let mut count = 1;
         if place.is_array() {
             count = place.sizes().iter().product();
         }
@@ -138,7 +135,6 @@ impl Writer<'_> {
                             skipped += number * stride;
                             written.push(number.to_string());
                         } else {
-                            is_constant = false;
                             written.push(self.subscript(*size));
                         }
                     }
@@ -149,15 +145,7 @@ impl Writer<'_> {
                 }
             }
         }
-        Named {
-            text,
-            kind: place.kind,
-            dimensions: place.dimensions,
-            base: place.base.clone(),
-            count,
-            constant: is_constant,
-            sizes: place.sizes(),
-        }
+        Named { text, kind: place.kind, base: place.base.clone(), count, sizes: place.sizes() }
     }
 
     /// A subscript that is mostly in range.
@@ -191,7 +179,8 @@ impl Writer<'_> {
                         let (name, length) = self.random.of(&list).clone();
                         let inner = self.random.below(length as usize);
                         let indices = self.indices(length);
-                        let inner = if indices.is_empty() { inner.to_string() } else { self.random.of(&indices).clone() };
+                        let inner =
+                            if indices.is_empty() { inner.to_string() } else { self.random.of(&indices).clone() };
                         format!("{name}[{inner}]")
                     }
                 }
