@@ -1,5 +1,6 @@
 //! Turns an admitted image into the channel's own form. The only part that allocates.
 
+mod access;
 mod body;
 mod call;
 mod code;

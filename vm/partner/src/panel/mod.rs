@@ -13,6 +13,7 @@
 pub(crate) mod effect;
 pub(crate) mod function;
 pub(crate) mod lower;
+mod network;
 pub(crate) mod record;
 mod run;
 mod schedule;
