@@ -23,8 +23,7 @@ impl<O: Observer> Walker<'_, O> {
             self.finish_call(false);
             return Ok(());
         };
-        let arguments = call.inputs.iter().chain(&call.outputs).map(|copy| copy.argument);
-        let first = self.bind_all(arguments)?;
+        let first = self.bind_all(call.inputs.iter().map(|copy| copy.argument))?;
         self.write_bit_cell(call.enable_in, input);
         if !input {
             self.write_bit_cell(call.enable_out, false);
@@ -43,33 +42,35 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    fn copy_out(&mut self, call: &Call) {
-        let first = (self.frame.bound as usize).saturating_add(call.inputs.len());
-        for (number, copy) in call.outputs.iter().enumerate() {
-            let to = self.bound(first.saturating_add(number));
+    /// Copies the Output parameters; subscripts of their arguments are looked at only now, in the order of the
+    /// parameters.
+    fn copy_out(&mut self, call: &Call) -> Result<(), Fault> {
+        for copy in &call.outputs {
+            let to = self.bind(copy.argument)?;
             self.pass(Bound { argument: Argument::Nothing, location: copy.parameter }, to);
         }
+        Ok(())
     }
 
-    pub(super) fn leave_add_on(&mut self, number: u32) {
+    pub(super) fn leave_add_on(&mut self, number: u32) -> Flow {
         let ladder = self.ladder;
-        let Some(call) = ladder.calls.get(number as usize) else { return self.pop_frame() };
-        self.copy_out(call);
-        let output = self.state.memory.bit(call.enable_out);
         self.pop_frame();
-        // Behind a cleared fault the rest of the rung is false, whatever EnableOut says.
-        let lives = self.frame.mode == Mode::Normal && self.frame.dead == 0;
-        self.finish_call(output && lives);
+        let Some(call) = ladder.calls.get(number as usize) else { return Flow::On };
+        let result = self.copy_out(call);
+        if result.is_ok() {
+            let output = self.state.memory.bit(call.enable_out);
+            // Behind a cleared fault the rest of the rung is false, whatever EnableOut says.
+            let lives = self.frame.mode == Mode::Normal && self.frame.dead == 0;
+            self.finish_call(output && lives);
+        }
+        self.after(result)
     }
 
     /// After the prescan of Logic the Prescan routine runs, with true rungs.
     pub(super) fn leave_prescanned_logic(&mut self, number: u32) -> Flow {
         let ladder = self.ladder;
         let prescan = ladder.calls.get(number as usize).and_then(|call| call.prescan);
-        let Some(body) = prescan else {
-            self.leave_add_on(number);
-            return Flow::On;
-        };
+        let Some(body) = prescan else { return self.leave_add_on(number) };
         let begin = self.begin_of(body);
         self.frame = super::Frame::new(body, begin, Mode::Normal, Link::AddOn(number), self.frame.bound);
         Flow::On

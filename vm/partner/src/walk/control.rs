@@ -256,7 +256,7 @@ impl<O: Observer> Walker<'_, O> {
                 let rail = self.frame.rail;
                 self.finish_call(rail);
             }
-            Link::AddOn(call) => self.leave_add_on(call),
+            Link::AddOn(call) => return self.leave_add_on(call),
             Link::AddOnPrescan(call) => return self.leave_prescanned_logic(call),
             Link::Safety(call, flags) => self.leave_safety(call, flags),
             Link::SafetyPrescan(call, flags) => self.leave_safety_prescan(call, flags),
