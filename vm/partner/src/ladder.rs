@@ -185,6 +185,8 @@ pub(crate) enum Operation {
     BitNumber(u8),
     /// Pops an address, pushes the value of its word.
     Load(Element),
+    /// Makes the topmost value the 32 bits that bitwise logic works on.
+    Pattern,
     /// Pops one or two values, pushes the result.
     Apply {
         /// `format::OPERATION_*`.

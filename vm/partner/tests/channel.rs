@@ -188,3 +188,21 @@ fn calls_when_the_same_definition_is_called_twice_then_each_has_its_own_body() {
     watched.partner.scan(inputs(0), &mut Watching);
     assert_eq!(watched.row(&["P", "Q"]), [2, 0]);
 }
+
+#[test]
+fn zone_when_an_add_on_instruction_switched_it_on_then_rungs_of_the_program_are_false() {
+    let definition = "ADD_ON_INSTRUCTION_DEFINITION Switch (Class := Safety, Revision := \"1.0\")\n\
+        PARAMETERS\nOn : BOOL (Usage := Input, Required := Yes, Visible := Yes);\nEND_PARAMETERS\n\
+        ROUTINE Logic\nN: XIC(On)MCR();\nN: MCR();\nEND_ROUTINE\nEND_ADD_ON_INSTRUCTION_DEFINITION";
+    let program = ")\nROUTINE Main\nN: Switch(I,Go);\nN: ADD(P,1,P)OTE(Out);\nEND_ROUTINE";
+    let tag_list = tags(&["Go : BOOL", "I : Switch", "P : DINT", "Out : BOOL"]);
+    for watched in [false, true] {
+        let mut rig = Rig { watched, ..Rig::new(&project(definition, &tag_list, program)) };
+        rig.prescan(0);
+        rig.scan(0);
+        assert_eq!(rig.row(&["P", "Out"]), [0, 0]);
+        rig.set("Go", 1);
+        rig.scan(10);
+        assert_eq!(rig.row(&["P", "Out"]), [1, 1]);
+    }
+}

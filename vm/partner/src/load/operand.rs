@@ -249,6 +249,7 @@ impl<'a> Loader<'a> {
             };
             match operation {
                 Operation::Integer(_) | Operation::Real(_) | Operation::Word(..) => values = values.saturating_add(1),
+                Operation::Pattern => {}
                 Operation::Address { .. } => addresses = addresses.saturating_add(1),
                 Operation::Subscript { .. } | Operation::BitNumber(_) => values = values.saturating_sub(1),
                 Operation::Load(_) => {
@@ -301,13 +302,33 @@ impl<'a> Loader<'a> {
             format::EXPRESSION => {
                 let count = cursor.half()?;
                 let begin = tasks.len();
-                for _ in 0..count {
+                // Where the values that are open begin; what AND, XOR and OR take on their left becomes a pattern
+                // before their right side is evaluated.
+                let mut open: Vec<usize> = Vec::new();
+                let mut patterns: Vec<usize> = Vec::new();
+                for index in 0..usize::from(count) {
                     tasks.push(match cursor.byte()? {
                         format::OPERATION_PUSH => {
+                            open.push(index);
                             Task::Value { operand: OperandIndex(cursor.word()?), real, subscript }
                         }
-                        operator => Task::Emit(Operation::Apply { operator, real, subscript }),
+                        operator => {
+                            if operator >= format::OPERATION_MULTIPLY {
+                                let right = open.pop()?;
+                                if matches!(
+                                    operator,
+                                    format::OPERATION_AND | format::OPERATION_XOR | format::OPERATION_OR
+                                ) {
+                                    patterns.push(right);
+                                }
+                            }
+                            Task::Emit(Operation::Apply { operator, real, subscript })
+                        }
                     });
+                }
+                patterns.sort_unstable_by(|left, right| right.cmp(left));
+                for place in patterns {
+                    tasks.insert(begin.checked_add(place)?, Task::Emit(Operation::Pattern));
                 }
                 tasks.get_mut(begin..)?.reverse();
                 Some(None)

@@ -77,7 +77,14 @@ fn is_short(tables: &Tables<'_>, argument: Option<&Argument>, length: Option<&Ar
 fn is_fixed(tables: &Tables<'_>, argument: Option<&Argument>) -> bool {
     let Some(Argument::Expression(index)) = argument else { return false };
     operations(tables, *index).iter().all(|operation| {
-        matches!(operation, Operation::Integer(_) | Operation::Real(_) | Operation::Word(..) | Operation::Apply { .. })
+        matches!(
+            operation,
+            Operation::Integer(_)
+                | Operation::Real(_)
+                | Operation::Word(..)
+                | Operation::Pattern
+                | Operation::Apply { .. }
+        )
     })
 }
 

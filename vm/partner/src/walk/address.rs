@@ -177,6 +177,13 @@ impl<O: Observer> Walker<'_, O> {
                     let value = self.value_at(Location::Word(word, element));
                     self.push(depth, value);
                 }
+                Operation::Pattern => {
+                    let Outcome { value, overflow } = arithmetic::pattern(self.pop(depth));
+                    if overflow {
+                        self.state.set_overflow();
+                    }
+                    self.push(depth, value);
+                }
                 Operation::Apply { operator, real, subscript } => {
                     let right = self.pop(depth);
                     let outcome = if operator < format::OPERATION_MULTIPLY {

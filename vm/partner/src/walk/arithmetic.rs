@@ -72,6 +72,12 @@ fn logic_operand(value: Value) -> (u32, bool) {
     }
 }
 
+/// A value as bitwise logic takes it: REAL rounded to DINT, SINT and INT zero-filled.
+pub(crate) fn pattern(value: Value) -> Outcome {
+    let (bits, overflow) = logic_operand(value);
+    Outcome { value: Value::dint(bits as i32), overflow }
+}
+
 fn bitwise(operator: u8, left: Value, right: Value) -> Outcome {
     let ((left, left_unfit), (right, right_unfit)) = (logic_operand(left), logic_operand(right));
     let value = match operator {
