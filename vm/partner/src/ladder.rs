@@ -230,6 +230,8 @@ pub(crate) struct Copy {
 /// A call of an Add-On Instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Call {
+    /// Arguments with subscripts, in declared order: all are looked at before anything is written.
+    pub(crate) subscripted: Vec<Argument>,
     /// Copied in.
     pub(crate) inputs: Vec<Copy>,
     /// Copied out.

@@ -42,6 +42,7 @@ impl<'a> Loader<'a> {
             Some(member_location(bit, word, element))
         };
         let mut call = Call {
+            subscripted: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
             enable_in: 0,
@@ -66,6 +67,9 @@ impl<'a> Loader<'a> {
             let operand = operands.get(next).ok_or_else(broken)?;
             next = next.wrapping_add(1);
             let argument = self.argument(context, operand)?;
+            if matches!(argument, Argument::Dynamic(_)) {
+                call.subscripted.push(argument);
+            }
             if parameter.usage == Usage::InOut {
                 let base = base(argument).ok_or(LoadError::Operand(operand))?;
                 if let Some(entry) = in_outs.get_mut(index) {

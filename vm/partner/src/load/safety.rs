@@ -136,6 +136,7 @@ impl<'a> Loader<'a> {
             in_outs: Vec::new(),
         });
         let call = Call {
+            subscripted: Vec::new(),
             inputs,
             outputs: Vec::new(),
             enable_in,

@@ -23,6 +23,9 @@ impl<O: Observer> Walker<'_, O> {
             self.finish_call(false);
             return Ok(());
         };
+        for argument in &call.subscripted {
+            self.locate(*argument)?;
+        }
         let first = self.bind_all(call.inputs.iter().map(|copy| copy.argument))?;
         self.write_bit_cell(call.enable_in, input);
         if !input {
@@ -42,8 +45,7 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// Copies the Output parameters; subscripts of their arguments are looked at only now, in the order of the
-    /// parameters.
+    /// Copies the Output parameters to where the subscripts of their arguments now lead.
     fn copy_out(&mut self, call: &Call) -> Result<(), Fault> {
         for copy in &call.outputs {
             let to = self.bind(copy.argument)?;

@@ -235,13 +235,19 @@ impl<O: Observer> Walker<'_, O> {
 
     /// Hands the operands of a RET to the JSR that runs this body.
     fn returns(&mut self, step: Step) -> Result<(), Fault> {
-        let Link::Subroutine(call) = self.frame.link else { return Ok(()) };
-        let Some(call) = self.ladder.subroutines.get(call as usize) else { return Ok(()) };
-        let arguments = self.ladder.arguments(step);
+        let ladder = self.ladder;
+        let arguments = ladder.arguments(step);
+        let first = self.bind_all(arguments.iter().copied())?;
+        // In a routine that no JSR runs there is nobody to hand anything to.
+        let Link::Subroutine(call) = self.frame.link else {
+            self.state.bound.truncate(first);
+            return Ok(());
+        };
+        let Some(call) = ladder.subroutines.get(call as usize) else { return Ok(()) };
         if call.returns.len() > arguments.len() {
+            self.state.bound.truncate(first);
             return Err(PARAMETERS);
         }
-        let first = self.bind_all(arguments.iter().copied())?;
         let destinations = (self.frame.bound as usize).saturating_add(call.inputs.len());
         self.pass_all(first, destinations, call.returns.len());
         Ok(())
