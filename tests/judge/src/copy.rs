@@ -2,7 +2,7 @@
 
 use twinrung_bytecode::image::TypeReference;
 use twinrung_catalog::{Element, PredefinedType};
-use twinrung_compiler::operand::{Operand, Reference};
+use twinrung_compiler::operand::{Operand, Reference, Step};
 use twinrung_compiler::project::{OperandUse, Types};
 
 use crate::arithmetic::{Number, canonical};
@@ -140,14 +140,24 @@ impl Judge<'_> {
         Ok((target, reference.clone()))
     }
 
-    /// Checks that so many elements lie between a first one and the end of its array.
-    pub(crate) fn within(&self, target: &Target, count: u32) -> Result<(), Exit> {
-        let Some((last, path)) = target.path.split_last() else { return Ok(()) };
-        let parent = Target { path: path.to_vec(), ..target.clone() };
-        match self.memory.get(&parent) {
-            Value::Array(parts) if *last as usize + count as usize > parts.len() => Err(Exit::Fault(20)),
-            _ => Ok(()),
+    /// Checks that so many elements lie between a first one and the end of its array, as it is declared: an InOut parameter
+    /// ends where its declaration ends, however long its argument is.
+    pub(crate) fn within(
+        &self,
+        frame: &Frame<'_>,
+        operand: OperandUse,
+        target: &Target,
+        count: u32,
+    ) -> Result<(), Exit> {
+        let Operand::Reference(reference) = frame.project.operand(operand.id) else { panic!("not a reference") };
+        let is_element = matches!(reference.steps.last(), Some(Step::Subscript(_)));
+        if reference.dimensions == [0; 3] && !is_element {
+            return Ok(());
         }
+        let sizes = self.declared_dimensions(frame, operand);
+        let elements: u32 = sizes.into_iter().filter(|size| *size > 0).product();
+        let first = target.path.last().copied().unwrap_or_default();
+        if first + count > elements { Err(Exit::Fault(20)) } else { Ok(()) }
     }
 
     fn constant(&self, frame: &Frame<'_>, operand: OperandUse) -> u32 {
@@ -161,8 +171,8 @@ impl Judge<'_> {
         let (source, from) = self.first_element(frame, operands[0])?;
         let (destination, to) = self.first_element(frame, operands[1])?;
         let count = self.constant(frame, operands[2]);
-        self.within(&source, count)?;
-        self.within(&destination, count)?;
+        self.within(frame, operands[0], &source, count)?;
+        self.within(frame, operands[1], &destination, count)?;
         let types = &frame.project.types;
         let bytes = size(types, from.type_reference).0;
         let mut gather = Gather(vec![0; bytes * count as usize]);
@@ -182,7 +192,7 @@ impl Judge<'_> {
         let value = self.number(frame, operands[0])?;
         let (destination, _) = self.first_element(frame, operands[1])?;
         let count = self.constant(frame, operands[2]);
-        self.within(&destination, count)?;
+        self.within(frame, operands[1], &destination, count)?;
         for index in 0..count {
             self.store_and_report(frame, &destination.following(index), value);
         }

@@ -149,7 +149,7 @@ impl<'p> Judge<'p> {
         let Operand::SystemValue(value) = self.operand(frame, operands[2]) else { panic!("no attribute") };
         let attribute = value.attribute;
         let (first, _) = self.first_element(frame, operands[3])?;
-        self.within(&first, attribute.length)?;
+        self.within(frame, operands[3], &first, attribute.length)?;
         let program = match value.instance {
             SystemInstance::Program(program) => usize::from(program.0),
             _ => usize::from(frame.program),

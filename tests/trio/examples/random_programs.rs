@@ -25,6 +25,8 @@ fn main() -> ExitCode {
         println!("{}", generate::program(first, size(first)).text);
         return ExitCode::SUCCESS;
     }
+    // Panics of the evaluators are caught, shrunk and reported with the disagreements.
+    std::panic::set_hook(Box::new(|_| {}));
     let mut campaign = Campaign::default();
     let (mut seed, mut shown) = (first, 0);
     while Instant::now() < until && campaign.failures.len() < most_failures {

@@ -122,10 +122,12 @@ pub fn shrink(generated: &Generated, stimulus: &Stimulus) -> (String, Stimulus, 
         }
         length /= 2;
     }
-    let mut at = 0;
-    while let Some(smaller) = without_instruction(&text, at) {
-        if !attempt(&mut text, &mut stimulus, smaller) {
-            at += 1;
+    for part in [without_instruction, without_branch] {
+        let mut at = 0;
+        while let Some(smaller) = part(&text, at) {
+            if !attempt(&mut text, &mut stimulus, smaller) {
+                at += 1;
+            }
         }
     }
     let mut at = 0;
@@ -160,6 +162,18 @@ fn same_kind(first: &str, second: &str) -> bool {
 fn without_lines(text: &str, from: usize, count: usize) -> String {
     let kept = text.lines().enumerate().filter(|(at, _)| *at < from || *at >= from + count);
     kept.map(|(_, line)| format!("{line}\n")).collect()
+}
+
+/// The text without the brackets number `at` and all within them; nothing where there are not as many. Every bracket of a
+/// rung is tried; taking the subscript of an operand away is refused or fails differently, and is undone then.
+fn without_branch(text: &str, at: usize) -> Option<String> {
+    let (open, _) = text.match_indices('[').nth(at)?;
+    let mut depth = 0;
+    let close = text[open..].find(|one| {
+        depth += i32::from(one == '[') - i32::from(one == ']');
+        depth == 0
+    })?;
+    Some(format!("{}{}", &text[..open], &text[open + close + 1..]))
 }
 
 /// The text without its instruction number `at`; nothing where there are not as many.

@@ -3,7 +3,7 @@
 use twinrung_catalog::instructions::ALL;
 use twinrung_catalog::{Group, Instruction, Opcode, Position};
 
-use super::data::{Kind, Role};
+use super::data::{Kind, Part, Role};
 use super::literals;
 use super::writer::{Passing, Writer};
 
@@ -78,6 +78,10 @@ impl Writer<'_> {
         }
         if self.random.percent(5) {
             text.push_str(&format!("{}JMP({})", self.input(), self.label()));
+        }
+        // A rung of nothing but empty legs is an empty rung.
+        if !text.contains('(') {
+            text.push_str("NOP()");
         }
         text
     }
@@ -156,7 +160,10 @@ impl Writer<'_> {
                 Passing::InOut => {
                     let (kind, dimensions) = (parameter.kind, parameter.dimensions);
                     self.constant_place(|place| {
+                        // An InOut BOOL takes no bit of an integer, which an alias may be.
+                        let is_alias = !matches!(place.parts.first(), Some(Part::Text(name)) if *name == place.base);
                         place.kind == kind
+                            && !(kind.is_bit() && is_alias)
                             && place.writable
                             && place.dimensions[0] >= dimensions[0]
                             && place.is_array() == (dimensions[0] > 0)
