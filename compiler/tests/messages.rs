@@ -115,3 +115,11 @@ fn findings_when_many_then_listed_in_the_order_of_the_text() {
     assert_eq!(checked.findings.len(), 1001);
     assert!(checked.findings.windows(2).all(|pair| pair[0].span.start <= pair[1].span.start));
 }
+
+#[test]
+fn master_control_when_in_an_add_on_instruction_then_each_is_refused() {
+    let definition = "  ADD_ON_INSTRUCTION_DEFINITION Zoned (Class := Safety)\n    PARAMETERS\n      Run : BOOL (Usage := Input);\n    END_PARAMETERS\n    \
+         ROUTINE Logic\n      N: XIC(Run)<<MCR()>>;\n      N: <<MCR()>>;\n    END_ROUTINE\n  END_ADD_ON_INSTRUCTION_DEFINITION\n";
+    let tags = format!("{TAGS}\n    Zone : Zoned (Class := Safety);");
+    refused(&project(definition, &tags, "Zoned(Zone,X)", ""), &["S0607", "S0607"]);
+}

@@ -3,12 +3,12 @@
 use twinrung_catalog::{Opcode, Position};
 
 use crate::diagnostic::{Finding, Findings};
-use crate::project::{Element, Project, Rung};
+use crate::project::{Element, Project, RoutineOwner, Rung};
 
 rule! {
     /// A zone of MCR that does not end as it should.
     "S0607", Error, "a zone of MCR is not closed as it should be",
-    "A zone begins with an MCR behind a condition and ends with an unconditional MCR on the same routine; zones do not nest. A zone that stays open would silently disable what follows.",
+    "A zone begins with an MCR behind a condition and ends with an unconditional MCR on the same routine; zones do not nest. A zone that stays open would silently disable what follows. An Add-On Instruction has no zones: the override belongs to the program, and an MCR within the instruction would switch it for its callers.",
     "general-instructions.md A.8 (decided)",
     good: sample!("    A, B : BOOL (Class := Safety);\n", "      N: XIC(A)MCR();\n      N: OTE(B);\n      N: MCR();\n"),
     bad: sample!("    A, B : BOOL (Class := Safety);\n", "      N: XIC(A)<<MCR()>>;\n      N: OTE(B);\n")
@@ -29,6 +29,11 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                 }
             });
             let Some(span) = spans.first().copied() else { continue };
+            if matches!(routine.owner, RoutineOwner::AddOn(_)) {
+                let finding = Finding::new(&CODE, span, "an Add-On Instruction has no MCR zones: this would switch the zone of its callers");
+                findings.push(finding.help("use the EnableIn of the call, or a contact on each rung"));
+                continue;
+            }
             if let Some(second) = spans.get(1) {
                 let finding = Finding::new(&CODE, *second, "a second MCR on one rung");
                 findings.push(finding.help("write each MCR on a rung of its own"));

@@ -163,10 +163,14 @@ impl Judge<'_> {
         if !search {
             self.clear_flags(frame);
         }
-        for _ in 0..count {
+        for processed in 0..count {
             let position = self.memory.integer(&control.position);
             if position >= self.memory.integer(&control.length) {
                 break;
+            }
+            // A run whose own POS or LEN is its destination would never end (REQ-EXEC-072).
+            if processed == limits::ARRAY_ELEMENTS {
+                return Err(Exit::Fault(20));
             }
             if frame.counts {
                 self.flags.executed += 1;

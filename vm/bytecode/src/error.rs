@@ -196,6 +196,7 @@ rules! {
     LabelTwice { at: Site } => "{at}: the label is defined twice";
     LabelMissing { at: Site } => "{at}: no rung of the routine has this label";
     LabelName { at: Site } => "{at}: the label has a name that cannot be written";
+    MasterControlInAddOn { at: Site } => "{at}: an MCR within an Add-On Instruction would switch the zones of its callers";
     CallOutside { at: Site } => "{at}: a subroutine is called, or begins, within an Add-On Instruction";
     CallCount { at: Site } => "{at}: more parameters than a call may have, or fewer than the number that it states";
     CallParameters { at: Site } => "{at}: the parameters are not those of the routine's SBR and RET";

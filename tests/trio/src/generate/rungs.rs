@@ -27,7 +27,7 @@ impl Writer<'_> {
         while rungs.len() < count {
             match self.random.below(40) {
                 0 => self.bounded_loop(&mut rungs),
-                1..=2 => self.zone(&mut rungs),
+                1..=2 if !self.in_add_on => self.zone(&mut rungs),
                 3 => {
                     let rung = self.written_member();
                     rungs.push(rung);

@@ -77,6 +77,7 @@ impl Check<'_, '_> {
             }
             Opcode::Jmp | Opcode::Lbl => self.label(instruction.opcode, operands),
             Opcode::Jsr => self.call(operands),
+            Opcode::Mcr if matches!(self.owner, Owner::AddOn(_)) => Err(ImageError::MasterControlInAddOn { at }),
             Opcode::Sbr | Opcode::Ret => self.parameters(instruction.opcode, operands),
             Opcode::Gsv | Opcode::Ssv => self.system_value(instruction.opcode, operands),
             _ => self.safety_application(instruction, operands),

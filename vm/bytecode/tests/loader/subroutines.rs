@@ -151,6 +151,7 @@ fn subroutine_instructions_when_in_an_add_on_then_are_refused() {
     assert_eq!(logic(|_| op(Opcode::Ret, &[])), "admitted");
     assert_eq!(logic(|_| op(Opcode::Tnd, &[])), "admitted");
     assert_eq!(logic(|r| op(Opcode::Ret, &[r.member(2, 0)])), "CallOutside");
+    assert_eq!(logic(|_| op(Opcode::Mcr, &[])), "MasterControlInAddOn");
     assert_eq!(logic(|r| op(Opcode::Clr, &[r.y])), "ForeignOperand");
     let none = |r: &mut Rich| op(Opcode::Jsr, &[r.sub, OperandIndex(0)]);
     assert_eq!(logic(none), "ForeignOperand");
