@@ -2,6 +2,7 @@
 
 mod bench_mixes;
 mod corpus;
+mod freestanding;
 mod house;
 mod image_bits;
 mod plant_program;
