@@ -14,6 +14,7 @@ use crate::load::Loaded;
 use crate::load::formula::{ADDRESSES, VALUES};
 use crate::number::Number;
 use crate::program::{Operand, Program};
+use crate::run::jsr_operands;
 
 /// Routines within routines: a main routine, [`limits::CALL_DEPTH`] subroutines, [`limits::ADD_ON_DEPTH`] Add-On
 /// Instructions, the same again for the fault routine, and some to spare.
@@ -113,6 +114,10 @@ pub(crate) struct Machine {
     pub(crate) addresses: [(u32, u32, u32); ADDRESSES],
     pub(crate) slots: [Slot; TRANSFERS],
     pub(crate) numbers: [Number; TRANSFERS],
+    /// What the return operands of each frame's JSR selected: `most_returns` for each frame.
+    pub(crate) returns: Vec<Slot>,
+    /// Return operands of the JSR that has the most.
+    pub(crate) most_returns: usize,
     /// Cells of structures on their way between two routines.
     pub(crate) passing_bits: Vec<u8>,
     pub(crate) passing_words: Vec<u32>,
@@ -121,7 +126,7 @@ pub(crate) struct Machine {
     pub(crate) program: u16,
     /// The fault that its fault routine handles.
     pub(crate) handling: Option<MajorFault>,
-    /// Whether a fault routine ran in this scan.
+    /// Whether no fault routine runs any more: one ran in this scan, or this is a prescan.
     pub(crate) handled: bool,
     /// `status.executed` when the scan began.
     pub(crate) executed_before: u64,
@@ -140,6 +145,8 @@ impl Machine {
         let program = &loaded.program;
         let words = image.initial_words.len().saturating_add(loaded.constants.len());
         let (passing_bits, passing_words) = passing(program);
+        let jsrs = program.instructions.iter().filter(|instruction| instruction.opcode == Opcode::Jsr);
+        let most_returns = jsrs.map(|jsr| jsr_operands(program, *jsr, true).count).max().unwrap_or(0) as usize;
         let mut machine = Machine {
             bits: vec![0; loaded.bit_bank],
             words: vec![0; words],
@@ -162,6 +169,8 @@ impl Machine {
             addresses: [(0, 0, 0); ADDRESSES],
             slots: [Slot::Constant(Number::Integer(0)); TRANSFERS],
             numbers: [Number::Integer(0); TRANSFERS],
+            returns: vec![Slot::Constant(Number::Integer(0)); FRAMES.saturating_mul(most_returns)],
+            most_returns,
             passing_bits: vec![0; passing_bits],
             passing_words: vec![0; passing_words],
             copied: vec![0; if program.copies.is_empty() { 0 } else { limits::COPY_BYTES as usize }],

@@ -209,6 +209,8 @@ pub(crate) struct AddOnCall {
     pub(crate) inputs: Range,
     /// Output parameters.
     pub(crate) outputs: Range,
+    /// Those of both whose argument has a variable subscript or bit number, in the order of the call.
+    pub(crate) varying: Range,
     pub(crate) logic: u32,
     /// Body of the Prescan routine, or [`NONE`].
     pub(crate) prescan: u32,

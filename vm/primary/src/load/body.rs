@@ -277,7 +277,7 @@ impl Loader<'_> {
         let add_on = image.add_ons.iter().find(|add_on| add_on.instance_type.0 == type_index).ok_or(MALFORMED)?;
         let base = (reference.bit, reference.word);
         let mut inner = Binding { instance: Some(base), in_outs: alloc::vec![None; add_on.parameters.len()] };
-        let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
+        let (mut inputs, mut outputs, mut varying) = (Vec::new(), Vec::new(), Vec::new());
         let mut remaining = arguments.iter();
         for (position, parameter) in add_on.parameters.iter().enumerate() {
             if !parameter.argument {
@@ -285,9 +285,9 @@ impl Loader<'_> {
             }
             let outside = *remaining.next().ok_or(MALFORMED)?;
             let outside = self.operand(outside, binding)?;
+            let operand = self.program.operands.get(outside as usize).copied().ok_or(MALFORMED)?;
             match parameter.usage {
                 Usage::InOut => {
-                    let operand = self.program.operands.get(outside as usize).copied().ok_or(MALFORMED)?;
                     let cells = match operand {
                         Operand::WordBit { .. } => None,
                         _ => operand.location().filter(|location| location.formula == NONE),
@@ -302,6 +302,9 @@ impl Loader<'_> {
                     let inside = self.push_operand(inside)?;
                     let side = if usage == Usage::Input { &mut inputs } else { &mut outputs };
                     side.push(Argument { outside, inside });
+                    if !operand.is_fixed() {
+                        varying.push(Argument { outside, inside });
+                    }
                 }
             }
         }
@@ -317,6 +320,7 @@ impl Loader<'_> {
         };
         let (enable_in, enable_out) = (enable(0)?, enable(1)?);
         let (inputs, outputs) = (self.push_arguments(&inputs), self.push_arguments(&outputs));
+        let varying = self.push_arguments(&varying);
         let logic = self.new_body(add_on.logic.0, inner.clone(), false, true)?;
         let enable_in_false = match add_on.enable_in_false {
             Some(routine) => self.new_body(routine.0, inner.clone(), false, true)?,
@@ -333,6 +337,7 @@ impl Loader<'_> {
             enable_out,
             inputs,
             outputs,
+            varying,
             logic,
             prescan,
             enable_in_false,

@@ -20,8 +20,11 @@ impl<O: Observer> Run<'_, O> {
         } else {
             let fault_routine =
                 self.program.programs.get(usize::from(self.machine.program)).map_or(NONE, |program| program.fault);
+            // Every subscript faults before anything is written (REQ-EXEC-004).
+            self.collect_inputs(jsr)?;
+            self.select_returns(jsr)?;
             if body == fault_routine
-                && let Some(code) = self.user_fault(jsr)?
+                && let Some(code) = self.user_fault(jsr)
             {
                 return Err(code);
             }
@@ -38,8 +41,9 @@ impl<O: Observer> Run<'_, O> {
     /// A call of an Add-On Instruction.
     pub(super) fn add_on(&mut self, index: u32, input: bool, prescan: bool) -> Result<Next, FaultCode> {
         let Some(call) = self.call(index) else { return Ok(Next::Out(false)) };
+        // A subscript beyond its array must fault before anything is written (REQ-EXEC-004).
         if prescan {
-            self.check_arguments(call.inputs.of(&self.program.arguments))?;
+            self.check_arguments(call)?;
             self.write_bit(call.enable_in, false);
             self.write_bit(call.enable_out, false);
             self.pass_arguments(call.inputs, true)?;
@@ -47,8 +51,7 @@ impl<O: Observer> Run<'_, O> {
             return Ok(Next::Switched);
         }
         if input {
-            // A subscript beyond its array must fault before anything is written (REQ-EXEC-004).
-            self.check_arguments(call.inputs.of(&self.program.arguments))?;
+            self.check_arguments(call)?;
             self.write_bit(call.enable_in, true);
             self.pass_arguments(call.inputs, true)?;
             self.write_bit(call.enable_out, true);
@@ -60,7 +63,7 @@ impl<O: Observer> Run<'_, O> {
             self.write_bit(call.enable_out, false);
             return Ok(Next::Out(false));
         }
-        self.check_arguments(call.inputs.of(&self.program.arguments))?;
+        self.check_arguments(call)?;
         self.write_bit(call.enable_in, false);
         self.write_bit(call.enable_out, false);
         self.pass_arguments(call.inputs, true)?;
@@ -68,10 +71,10 @@ impl<O: Observer> Run<'_, O> {
         Ok(Next::Switched)
     }
 
-    fn check_arguments(&mut self, arguments: &[crate::program::Argument]) -> Result<(), FaultCode> {
-        for argument in arguments {
-            let operand = self.program.operands.get(argument.outside as usize).copied();
-            if let Some(operand) = operand.filter(|operand| !operand.is_fixed()) {
+    /// Evaluates the subscripts of the arguments, in the order of the call.
+    fn check_arguments(&mut self, call: AddOnCall) -> Result<(), FaultCode> {
+        for argument in call.varying.of(&self.program.arguments) {
+            if let Some(operand) = self.program.operands.get(argument.outside as usize).copied() {
                 self.slot(operand)?;
             }
         }

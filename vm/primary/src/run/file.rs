@@ -98,7 +98,7 @@ impl<O: Observer> Run<'_, O> {
             return Ok(());
         }
         self.put_flag(file, EN, true);
-        if self.flag(file, FD) {
+        if file.is_search && self.flag(file, FD) {
             let next = self.position(file).saturating_add(1);
             self.put_position(file, next);
         }
@@ -113,8 +113,7 @@ impl<O: Observer> Run<'_, O> {
                 return Ok(());
             }
             self.put_flag(file, EN, true);
-            self.put_flag(file, DN, false);
-            self.put_flag(file, FD, false);
+            self.begin_file(file);
             self.put_position(file, 0);
         } else if self.flag(file, DN) {
             let ended_while_false = self.machine.hidden(word) == ENDED_WHILE_FALSE;
@@ -125,7 +124,7 @@ impl<O: Observer> Run<'_, O> {
                 self.put_position(file, 0);
             }
             return Ok(());
-        } else if self.flag(file, FD) {
+        } else if file.is_search && self.flag(file, FD) {
             self.pass_hit(file);
         }
         self.machine.put_hidden(word, 0);
@@ -145,7 +144,7 @@ impl<O: Observer> Run<'_, O> {
         }
     }
 
-    /// What a start in ALL and INC mode changes beside EN and POS.
+    /// What a start changes beside EN and POS. FD belongs to FSC alone.
     fn begin_file(&mut self, file: File) {
         self.put_flag(file, DN, false);
         if file.is_search {
@@ -172,15 +171,20 @@ impl<O: Observer> Run<'_, O> {
         if !file.is_search {
             self.clear_status();
         }
-        let mut remaining = count;
+        let (mut remaining, mut processed) = (count, 0u32);
         while remaining > 0 && self.position(file) < self.machine.word(file.control.word) {
+            // A destination may be POS or LEN itself, and then the run might never end.
+            if processed >= limits::ARRAY_ELEMENTS {
+                return Err(SUBSCRIPT);
+            }
             remaining = remaining.saturating_sub(1);
+            processed = processed.saturating_add(1);
             self.retire(1);
             let stop = if file.is_search { self.search_element(file)? } else { self.store_element(file)? };
             if stop {
                 return Ok(());
             }
-            // A destination may be POS itself: it goes on from what is there now.
+            // It goes on from what is there now.
             let next = self.position(file).saturating_add(1);
             self.put_position(file, next);
         }

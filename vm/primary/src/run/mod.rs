@@ -27,6 +27,7 @@ use twinrung_bytecode::observer::Observer;
 
 pub(crate) use compare::relation;
 pub(crate) use math::binary;
+pub(crate) use transfer::jsr_operands;
 
 use crate::machine::{FRAMES, Frame, Machine, Role};
 use crate::program::{NONE, Program};
@@ -65,6 +66,9 @@ impl<O: Observer> Run<'_, O> {
         let executed = self.machine.status.executed;
         self.machine.status = twinrung_bytecode::channel::Status { executed, ..Default::default() };
         self.machine.first_scan_armed = true;
+        self.machine.records.fill([0; 11]);
+        // A fault in prescan runs no fault routine: it ends the prescan (REQ-EXEC-051).
+        self.machine.handled = true;
         self.machine.hidden.fill(self.inputs.now_ms);
         self.machine.put_bit(self.program.first_scan, false);
         for index in &self.program.schedule {

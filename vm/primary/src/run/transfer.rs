@@ -10,7 +10,7 @@ use crate::number::Number;
 use crate::program::{Instruction, Operand, Program, Range};
 
 /// The inputs of a JSR, or its returns.
-fn jsr_operands(program: &Program, instruction: Instruction, returns: bool) -> Range {
+pub(crate) fn jsr_operands(program: &Program, instruction: Instruction, returns: bool) -> Range {
     let Range { first, count } = instruction.operands;
     let inputs = match program.operand(instruction.operands, 1) {
         Operand::Integer(inputs) => u32::try_from(inputs).unwrap_or(0),
@@ -90,7 +90,31 @@ impl<O: Observer> Run<'_, O> {
         }
     }
 
-    /// Copies a JSR's inputs to the SBR operands of the routine.
+    /// Evaluates a JSR's inputs.
+    pub(super) fn collect_inputs(&mut self, jsr: Instruction) -> Result<(), FaultCode> {
+        self.collect(jsr_operands(self.program, jsr, false))
+    }
+
+    /// Evaluates the subscripts of a JSR's return operands and keeps what they select until its routine has ended
+    /// (REQ-EXEC-023). The routine is not begun yet: its frame will be the next.
+    pub(super) fn select_returns(&mut self, jsr: Instruction) -> Result<(), FaultCode> {
+        let program = self.program;
+        let first = self.first_return();
+        for (index, operand) in jsr_operands(program, jsr, true).of(&program.operands).iter().enumerate() {
+            let slot = self.slot(*operand)?;
+            if let Some(kept) = self.machine.returns.get_mut(first.saturating_add(index)) {
+                *kept = slot;
+            }
+        }
+        Ok(())
+    }
+
+    /// Where the returns are kept of a routine whose frame has not begun or has just ended.
+    fn first_return(&self) -> usize {
+        self.machine.frames.len().saturating_mul(self.machine.most_returns)
+    }
+
+    /// Copies the inputs that were collected of a JSR to the SBR operands of the routine.
     pub(super) fn pass_inputs(&mut self, jsr: Instruction, body: u32) -> Result<(), FaultCode> {
         let inputs = jsr_operands(self.program, jsr, false);
         let parameters = self.program.bodies.get(body as usize).and_then(|body| {
@@ -100,23 +124,20 @@ impl<O: Observer> Run<'_, O> {
         if parameters.count > inputs.count {
             return Err(PARAMETERS);
         }
-        self.collect(inputs)?;
         self.receive(parameters)?;
         self.hand_over(parameters.count);
         Ok(())
     }
 
-    /// The single input of a JSR to the fault routine that names a fault of the user's own (A.8).
-    pub(super) fn user_fault(&mut self, jsr: Instruction) -> Result<Option<FaultCode>, FaultCode> {
-        let inputs = jsr_operands(self.program, jsr, false);
-        if inputs.count != 1 {
-            return Ok(None);
+    /// The fault of the user's own that the single input of a JSR to the fault routine names (A.8), once collected.
+    pub(super) fn user_fault(&self, jsr: Instruction) -> Option<FaultCode> {
+        if jsr_operands(self.program, jsr, false).count != 1 {
+            return None;
         }
-        let value = self.number(self.program.operand(inputs, 0))?;
-        Ok(match value {
-            Number::Integer(code @ 990..=999) => u16::try_from(code).ok().map(FaultCode),
+        match self.machine.numbers.first() {
+            Some(Number::Integer(code @ 990..=999)) => u16::try_from(*code).ok().map(FaultCode),
             _ => None,
-        })
+        }
     }
 
     /// Reads the operands of a RET.
@@ -124,7 +145,7 @@ impl<O: Observer> Run<'_, O> {
         self.collect(ret.operands)
     }
 
-    /// Copies what a RET gathered to the return operands of its JSR.
+    /// Copies what a RET gathered to what the return operands of its JSR selected before the routine began.
     pub(super) fn return_values(&mut self, jsr: u32, ret: Option<u32>, prescan: bool) -> Result<(), FaultCode> {
         let instruction = |index: u32| self.program.instructions.get(index as usize).copied();
         let (Some(jsr), Some(ret), false) = (instruction(jsr), ret.and_then(instruction), prescan) else {
@@ -134,7 +155,13 @@ impl<O: Observer> Run<'_, O> {
         if ret.opcode != Opcode::Ret || returns.count > ret.operands.count {
             return Err(PARAMETERS);
         }
-        self.receive(returns)?;
+        let first = self.first_return();
+        let machine = &mut *self.machine;
+        for (slot, kept) in
+            machine.slots.iter_mut().zip(machine.returns.iter().skip(first)).take(returns.count as usize)
+        {
+            *slot = *kept;
+        }
         self.hand_over(returns.count);
         Ok(())
     }

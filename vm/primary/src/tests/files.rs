@@ -185,3 +185,38 @@ fn file_when_control_is_negative_or_too_long_then_faults() {
     assert_eq!(code(rig.scan()), 20);
     assert_eq!(rig.get("k.POS"), 0, "a run that is too long processes nothing");
 }
+
+#[test]
+fn file_arithmetic_when_fd_is_set_then_neither_heeds_nor_clears_it() {
+    let mut rig = Rig::new(
+        "k m n CONTROL; arr DINT[4]",
+        &["FAL(k,?,?,ALL,arr[0],1)FAL(m,?,?,INC,arr[m.POS],7)FAL(n,?,?,2,arr[n.POS],8)"],
+    );
+    for name in ["k.FD", "m.FD", "n.FD"] {
+        rig.set(name, 1);
+    }
+    for name in ["k.LEN", "m.LEN", "n.LEN"] {
+        rig.set(name, 4);
+    }
+    rig.scan();
+    assert_eq!(rig.all("k.FD k.POS m.FD m.POS n.FD n.POS"), [1, 4, 1, 1, 1, 2]);
+    rig.scan();
+    assert_eq!(rig.all("k.FD k.POS m.FD m.POS n.FD n.POS n.DN"), [1, 4, 1, 1, 1, 4, 1]);
+}
+
+#[test]
+fn file_when_it_would_never_end_then_faults_after_as_many_elements_as_an_array_can_have() {
+    let mut rig = Rig::new("k CONTROL", &["FAL(k,?,?,ALL,k.POS,-1)"]);
+    rig.set("k.LEN", 1);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 0, 0]);
+    assert_eq!(rig.status().executed, 1 + 1_048_576);
+}
+
+#[test]
+fn file_when_it_ends_with_the_last_element_that_an_array_can_have_then_completes() {
+    let mut rig = Rig::new("k CONTROL; n DINT", &["FAL(k,?,?,ALL,n,k.POS)"]);
+    rig.set("k.LEN", 1_048_576);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("k.DN k.POS n"), [1, 1_048_576, 1_048_575]);
+}

@@ -156,6 +156,34 @@ fn fault_when_it_is_the_second_of_a_scan_then_ends_it() {
 }
 
 #[test]
+fn prescan_when_an_instruction_faults_then_it_ends_without_the_fault_routine() {
+    let mut assembler = assembler("i n DINT; flags BOOL[32]; a BOOL");
+    with_record(&mut assembler);
+    assembler.fault(&["ADD(n,1,n)SSV(PROGRAM,THIS,0,zero[0])"]);
+    assembler.main(&["OTE(flags[i])OTE(a)"]);
+    let mut rig = Rig::of(assembler);
+    rig.set("i", 32);
+    rig.set("a", 1);
+    assert_eq!(code(rig.prescan()), 20);
+    assert_eq!(rig.all("n a"), [0, 1]);
+    assert_eq!((rig.status().executed, rig.status().cleared_faults), (1, 0));
+    assert_eq!(code(rig.scan()), 0, "a scan runs it again");
+    assert_eq!((rig.get("n"), rig.status().cleared_faults), (1, 1));
+}
+
+#[test]
+fn prescan_when_a_record_is_filled_then_clears_it() {
+    let mut assembler = assembler("i n DINT; arr DINT[2]");
+    assembler.main(&["MOV(1,arr[i])"]);
+    let mut rig = Rig::of(assembler);
+    rig.set("i", 2);
+    assert_eq!(code(rig.scan()), 20);
+    assert_ne!(rig.silent.fault_record(ProgramIndex(0)), Some([0; 11]));
+    assert_eq!(rig.prescan(), ScanEnd::Completed);
+    assert_eq!(rig.silent.fault_record(ProgramIndex(0)), Some([0; 11]));
+}
+
+#[test]
 fn user_fault_when_number_is_in_range_then_is_raised() {
     let mut assembler = assembler("i DINT; a BOOL");
     assembler.fault(&["SBR(i)OTE(a)"]);

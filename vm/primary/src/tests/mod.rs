@@ -2,6 +2,7 @@
 
 mod assembler;
 mod bits_and_timers;
+mod calls;
 mod files;
 mod flow;
 mod numbers;
