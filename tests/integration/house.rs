@@ -14,7 +14,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ("twinrung-grammar", &[], &[]),
     ("twinrung-compiler", &["twinrung-grammar", "twinrung-catalog", "twinrung-bytecode"], &[]),
     ("twinrung-safety-primary", &["twinrung-catalog"], &[]),
-    ("twinrung-safety-partner", &["twinrung-catalog"], &["twinrung-compiler"]),
+    ("twinrung-safety-partner", &["twinrung-catalog"], &["twinrung-bytecode", "twinrung-compiler"]),
     ("twinrung-safety-vectors", &["twinrung-catalog"], &[]),
     ("twinrung-primary", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-primary"], &[]),
     ("twinrung-partner", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-partner"], &[]),

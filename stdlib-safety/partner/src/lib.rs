@@ -23,9 +23,12 @@ pub use sources::SOURCES;
 /// What the name of a definition has before the mnemonic: `Safety_DCS` is DCS.
 pub const PREFIX: &str = "Safety_";
 
-/// The library compiled: the image of all definitions, shared parts included, as `twinrung_bytecode::admit_library`
-/// takes it.
+/// The library compiled: the image of all definitions, shared parts included. `twinrung_bytecode::admit_library` admitted
+/// it when this crate was built.
 pub static LIBRARY: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/library.image"));
+
+/// The image signature of [`LIBRARY`] when it was admitted: bytes that still have it need not be verified again.
+pub static SIGNATURE: &[u8; 32] = include_bytes!(concat!(env!("OUT_DIR"), "/library.signature"));
 
 /// The mnemonic of the instruction that a definition stands for; `None` for a shared part.
 pub fn mnemonic(definition: &str) -> Option<&str> {

@@ -4,7 +4,7 @@ use twinrung_bytecode::image::{AddOnRecord, Image, Usage};
 use twinrung_bytecode::{AdmittedImage, admit_library};
 use twinrung_catalog::instruction::SafetyApplication;
 use twinrung_catalog::{MemberRole, instructions};
-use twinrung_safety_partner::{LIBRARY, PREFIX, SOURCES, mnemonic, source};
+use twinrung_safety_partner::{LIBRARY, PREFIX, SIGNATURE, SOURCES, mnemonic, source};
 
 fn library() -> AdmittedImage {
     admit_library(LIBRARY).unwrap_or_else(|error| panic!("the library is not admitted: {error}"))
@@ -23,6 +23,11 @@ fn parameters(add_on: &AddOnRecord, usage: Usage) -> Vec<&str> {
     let own = |name: &str| name != "EnableIn" && name != "EnableOut";
     let of_usage = add_on.parameters.iter().filter(|parameter| parameter.usage == usage);
     of_usage.map(|parameter| parameter.name.as_str()).filter(|name| own(name)).collect()
+}
+
+#[test]
+fn signature_when_the_library_is_admitted_then_it_is_its_image_signature() {
+    assert_eq!(SIGNATURE, library().image_signature());
 }
 
 #[test]

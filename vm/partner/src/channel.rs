@@ -1,16 +1,14 @@
 //! The partner as the controller sees it.
 
-use alloc::format;
-
+use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, WordCell};
 use twinrung_bytecode::layout::TypeLayout;
 use twinrung_bytecode::observer::Observer;
-use twinrung_bytecode::{AdmittedImage, admit_library};
 
 use crate::ladder::Ladder;
-use crate::load::{LoadError, Unit, load, needs_library};
+use crate::load::{Library, LoadError, Unit, load, needs_library};
 use crate::state::{RECORD_WORDS, State};
 use crate::walk::Walker;
 
@@ -24,15 +22,9 @@ pub struct Partner {
 }
 
 impl Partner {
-    /// Loads records and the layouts of their types; `library` likewise is the ladder of the safety application
-    /// instructions.
-    pub(crate) fn from_records(
-        image: &Image,
-        layouts: &[TypeLayout],
-        library: Option<(&Image, &[TypeLayout])>,
-    ) -> Result<Partner, LoadError> {
-        let library = library.map(|(image, layouts)| Unit { image, layouts });
-        let (ladder, size) = load(Unit { image, layouts }, library)?;
+    /// Loads records and the layouts of their types; `library` is the ladder of the safety application instructions.
+    fn from_records(image: &Image, layouts: &[TypeLayout], library: Option<&Library>) -> Result<Partner, LoadError> {
+        let (ladder, size) = load(Unit { image, layouts }, library.map(Library::unit))?;
         let (bits, words) = (image.initial_bits.len(), image.initial_words.len());
         let state = State::new(&ladder, size, bits, words, image.event_tasks.len());
         Ok(Partner { ladder, state, first_scan: false })
@@ -54,9 +46,8 @@ impl Channel for Partner {
         if !needs_library(records) {
             return Partner::from_records(records, image.layouts(), None);
         }
-        let library = admit_library(twinrung_safety_partner::LIBRARY)
-            .map_err(|error| LoadError::LibraryImage(format!("{error}")))?;
-        Partner::from_records(records, image.layouts(), Some((library.image(), library.layouts())))
+        let library = Library::read(twinrung_safety_partner::LIBRARY, twinrung_safety_partner::SIGNATURE)?;
+        Partner::from_records(records, image.layouts(), Some(&library))
     }
 
     fn reset(&mut self) {

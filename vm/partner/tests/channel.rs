@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Rig, Watching, project, rungs, tags};
+use support::{Rig, Watching, fault_code, project, rungs, tags};
 use twinrung_bytecode::channel::{Channel, MajorFault, Place, Representation, ScanEnd, ScanInputs};
 use twinrung_bytecode::index::{BitCell, ProgramIndex, RoutineIndex, WordCell};
 use twinrung_bytecode::observer::Observer;
@@ -189,20 +189,40 @@ fn calls_when_the_same_definition_is_called_twice_then_each_has_its_own_body() {
     assert_eq!(watched.row(&["P", "Q"]), [2, 0]);
 }
 
+/// A program whose second rung faults while `At` is out of range, and whose fault routine clears what it finds.
+const HANDLED: &str = ", FAULT := \"Handler\")
+ROUTINE Main
+N: OSR(Storage,List[At].0);
+N: ADD(Runs,1,Runs);
+END_ROUTINE
+ROUTINE Handler
+N: ADD(Handled,1,Handled)SSV(PROGRAM,THIS,MajorFaultRecord,Zero[0]);
+END_ROUTINE";
+
+const HANDLED_TAGS: &[&str] =
+    &["Storage : BOOL := 1", "List : DINT[2]", "At : DINT", "Runs : DINT", "Handled : DINT", "Zero : DINT[11]"];
+
+/// REQ-EXEC-051.
 #[test]
-fn zone_when_an_add_on_instruction_switched_it_on_then_rungs_of_the_program_are_false() {
-    let definition = "ADD_ON_INSTRUCTION_DEFINITION Switch (Class := Safety, Revision := \"1.0\")\n\
-        PARAMETERS\nOn : BOOL (Usage := Input, Required := Yes, Visible := Yes);\nEND_PARAMETERS\n\
-        ROUTINE Logic\nN: XIC(On)MCR();\nN: MCR();\nEND_ROUTINE\nEND_ADD_ON_INSTRUCTION_DEFINITION";
-    let program = ")\nROUTINE Main\nN: Switch(I,Go);\nN: ADD(P,1,P)OTE(Out);\nEND_ROUTINE";
-    let tag_list = tags(&["Go : BOOL", "I : Switch", "P : DINT", "Out : BOOL"]);
-    for watched in [false, true] {
-        let mut rig = Rig { watched, ..Rig::new(&project(definition, &tag_list, program)) };
-        rig.prescan(0);
-        rig.scan(0);
-        assert_eq!(rig.row(&["P", "Out"]), [0, 0]);
-        rig.set("Go", 1);
-        rig.scan(10);
-        assert_eq!(rig.row(&["P", "Out"]), [1, 1]);
-    }
+fn prescan_when_an_instruction_faults_then_it_ends_there_and_no_fault_routine_runs() {
+    let mut rig = Rig::new(&project("", &tags(HANDLED_TAGS), HANDLED));
+    rig.set("At", 2);
+    assert_eq!(fault_code(rig.prescan(7)), Some(20));
+    assert_eq!(rig.row(&["Handled", "Runs"]), [0, 0]);
+    assert_eq!((rig.status().executed, rig.status().cleared_faults), (1, 0));
+    assert_eq!(rig.record()[..3], [7, 0, (20 << 16) | 4]);
+    // The same fault in a scan is handled.
+    assert_eq!(rig.scan(17), ScanEnd::Completed);
+    assert_eq!((rig.row(&["Handled", "Runs"]), rig.status().cleared_faults), (vec![1, 1], 1));
+}
+
+/// REQ-EXEC-024.
+#[test]
+fn prescan_when_programs_have_fault_records_then_it_clears_them_at_its_start() {
+    let mut rig = rungs(&["List : DINT[2]", "At : DINT := 2", "N : DINT"], &["MOV(List[At],N)"]);
+    rig.prescan(0);
+    assert_eq!(fault_code(rig.scan(0)), Some(20));
+    assert_ne!(rig.record(), [0; 11]);
+    assert_eq!(rig.prescan(10), ScanEnd::Completed);
+    assert_eq!(rig.record(), [0; 11]);
 }

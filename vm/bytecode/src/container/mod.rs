@@ -22,7 +22,7 @@ use sha2::{Digest, Sha256};
 use crate::error::ImageError;
 use crate::image::Image;
 use crate::limits;
-use crate::signature::Signatures;
+use crate::signature::{self, Signatures};
 use cursor::Cursor;
 use field::Field;
 
@@ -110,6 +110,13 @@ pub struct ReadImage {
     pub carried: Signatures,
     /// Hash of everything in the file but the signatures.
     pub(crate) body: [u8; 32],
+}
+
+impl ReadImage {
+    /// The image signature over the bytes that were read; the one that the file carries may be another.
+    pub fn image_signature(&self) -> [u8; 32] {
+        signature::image_signature(&self.carried.application, &self.body)
+    }
 }
 
 /// Where a section lies, for people.

@@ -63,10 +63,10 @@ pub fn admit_library(bytes: &[u8]) -> Result<AdmittedImage, ImageError> {
 }
 
 fn verify(read: ReadImage, library: bool) -> Result<AdmittedImage, ImageError> {
-    let ReadImage { image, carried, body } = read;
-    if signature::image_signature(&carried.application, &body) != carried.image {
+    if read.image_signature() != read.carried.image {
         return Err(ImageError::ImageSignature);
     }
+    let ReadImage { image, carried, .. } = read;
     declarations::check_all_names(&image)?;
     let controller = declarations::check_controller(&image.controller, library)?;
     if library {

@@ -75,28 +75,17 @@ pub(crate) fn item<'a>(cursor: &mut Cursor<'a>) -> Option<Item<'a>> {
     })
 }
 
-/// For each program whether its MCR override can be on: one of its routines holds an MCR, or an Add-On Instruction of
-/// the image does, which any program may call.
+/// For each program whether its MCR override can be on: one of its routines holds an MCR. Add-On Instructions hold none
+/// (REQ-EXEC-021).
 pub(crate) fn zones(image: &Image) -> Vec<bool> {
     let mut zones = vec![false; image.programs.len()];
-    let mut everywhere = false;
     for routine in &image.routines {
+        let Owner::Program(program) = routine.owner else { continue };
         let mut cursor = Cursor::new(&routine.code);
         let mut items = core::iter::from_fn(|| item(&mut cursor));
-        if !items.any(|item| matches!(item, Item::Instruction(Opcode::Mcr, _))) {
-            continue;
+        if let Some(zone) = zones.get_mut(program.position()) {
+            *zone |= items.any(|item| matches!(item, Item::Instruction(Opcode::Mcr, _)));
         }
-        match routine.owner {
-            Owner::Program(program) => {
-                if let Some(zone) = zones.get_mut(program.position()) {
-                    *zone = true;
-                }
-            }
-            Owner::AddOn(_) => everywhere = true,
-        }
-    }
-    if everywhere {
-        zones.fill(true);
     }
     zones
 }

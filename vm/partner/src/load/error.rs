@@ -26,7 +26,7 @@ pub enum LoadError {
         /// The parameter that does not fit.
         parameter: String,
     },
-    /// P007: the ladder library itself is not readable.
+    /// P007: the ladder library itself is not readable, or not the one that was verified when it was built.
     LibraryImage(String),
 }
 

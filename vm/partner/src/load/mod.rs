@@ -7,6 +7,7 @@ mod code;
 mod context;
 mod cursor;
 mod error;
+mod library;
 mod operand;
 mod safety;
 
@@ -22,6 +23,7 @@ use twinrung_catalog::instructions::system::ATTRIBUTES;
 
 pub(crate) use code::needs_library;
 pub use error::LoadError;
+pub(crate) use library::Library;
 pub(crate) use operand::{ADDRESSES, VALUES};
 
 use crate::ladder::{

@@ -20,8 +20,8 @@ const ER: u32 = 4;
 const IN: u32 = 6;
 const FD: u32 = 7;
 
-/// The greatest LEN that a run accepts: no array has more elements (REQ-EXEC-072).
-const MOST_ELEMENTS: i32 = limits::ARRAY_ELEMENTS as i32;
+/// The greatest LEN that a run accepts, and the most elements that it processes: no array has more (REQ-EXEC-072).
+const MOST_ELEMENTS: u32 = limits::ARRAY_ELEMENTS;
 
 /// First cells of the CONTROL.
 type Cells = (u32, u32);
@@ -148,7 +148,7 @@ impl<O: Observer> Walker<'_, O> {
 
     fn leave_hit(&mut self, cells: Cells) {
         let position = self.member_word(cells, POS);
-        self.set_member_word(cells, POS, position.saturating_add(1));
+        self.set_member_word(cells, POS, position.wrapping_add(1));
         self.set_member_bit(cells, FD, false);
     }
 
@@ -157,7 +157,7 @@ impl<O: Observer> Walker<'_, O> {
         if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 {
             return Err(CONTROL);
         }
-        if self.member_word(cells, LEN) > MOST_ELEMENTS {
+        if self.member_word(cells, LEN) > MOST_ELEMENTS as i32 {
             return Err(SUBSCRIPT);
         }
         if !work.searches() {
@@ -165,6 +165,10 @@ impl<O: Observer> Walker<'_, O> {
         }
         let mut processed = 0u32;
         while processed < count && self.member_word(cells, POS) < self.member_word(cells, LEN) {
+            // A run whose destination is its own POS or LEN would never end.
+            if processed >= MOST_ELEMENTS {
+                return Err(SUBSCRIPT);
+            }
             self.count(1);
             let stops = match work {
                 Work::Store(destination, expression) => self.store_element(destination, expression)?,
@@ -179,7 +183,7 @@ impl<O: Observer> Walker<'_, O> {
                 return Ok(());
             }
             let position = self.member_word(cells, POS);
-            self.set_member_word(cells, POS, position.saturating_add(1));
+            self.set_member_word(cells, POS, position.wrapping_add(1));
         }
         if self.member_word(cells, POS) >= self.member_word(cells, LEN) {
             self.set_member_bit(cells, DN, true);

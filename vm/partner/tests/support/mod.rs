@@ -68,6 +68,14 @@ pub fn rungs(tag_list: &[&str], rungs: &[&str]) -> Rig {
     Rig::new(&project("", &tags(tag_list), &format!(")\nROUTINE Main\n{body}END_ROUTINE")))
 }
 
+/// The code of the major fault that ended a scan.
+pub fn fault_code(end: ScanEnd) -> Option<u16> {
+    match end {
+        ScanEnd::MajorFault(fault) => Some(fault.code),
+        _ => None,
+    }
+}
+
 impl Rig {
     /// Compiles and loads a project.
     pub fn new(text: &str) -> Rig {
