@@ -87,7 +87,7 @@ pub struct Judge<'p> {
     pub(crate) records: Vec<[i32; 11]>,
     pub(crate) override_zone: bool,
     pub(crate) budget_end: u64,
-    pub(crate) backward_jumps: HashMap<(u32, u32, u32, Option<Target>), u32>,
+    pub(crate) backward_jumps: HashMap<(u32, u32), u32>,
     pub(crate) prescanned: HashSet<(u16, u32)>,
     /// CONTROL structures whose run was completed on a false rung.
     pub(crate) completed_on_false: HashSet<Target>,
@@ -211,7 +211,6 @@ impl<'p> Judge<'p> {
         self.now_ms = now_ms;
         self.budget_end = self.flags.executed.saturating_add(budget);
         self.events.clear();
-        self.backward_jumps.clear();
         self.faulted = false;
         self.in_fault_routine = false;
     }
@@ -253,8 +252,15 @@ impl<'p> Judge<'p> {
         if self.flags.executed > self.budget_end { End::BudgetExceeded } else { End::Completed }
     }
 
-    /// Runs a routine; what RET hands back, when one ended it.
+    /// Runs a routine; what RET hands back, when one ended it. It counts its backward jumps for itself (REQ-EXEC-016).
     pub(crate) fn routine(&mut self, caller: &Frame<'p>, id: RoutineId) -> Result<Option<Vec<Value>>, Exit> {
+        let outer = std::mem::take(&mut self.backward_jumps);
+        let ended = self.rungs(caller, id);
+        self.backward_jumps = outer;
+        ended
+    }
+
+    fn rungs(&mut self, caller: &Frame<'p>, id: RoutineId) -> Result<Option<Vec<Value>>, Exit> {
         let routine = caller.project.routine(id);
         let mut frame = Frame { routine: id.0, ..caller.clone() };
         let mut at = 0;

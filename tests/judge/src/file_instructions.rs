@@ -66,8 +66,13 @@ impl Judge<'_> {
             return Ok(());
         }
         self.run(frame, operands, &control, count, search)?;
-        if mode > 0 && !condition && self.memory.bit(&control.done) {
-            self.completed_on_false.insert(target);
+        // The execution that completed the run last is the one that counts (REQ-EXEC-071).
+        if self.memory.bit(&control.done) {
+            if condition {
+                self.completed_on_false.remove(&target);
+            } else {
+                self.completed_on_false.insert(target);
+            }
         }
         Ok(())
     }

@@ -59,8 +59,7 @@ impl<'p> Judge<'p> {
         let rungs = &frame.project.routine(RoutineId(frame.routine)).rungs;
         let to = rungs.iter().position(|rung| defines(frame, rung, label)).ok_or(Exit::Fault(42))?;
         if to <= frame.rung as usize {
-            let instance = frame.instance.as_ref().map(|instance| instance.target.clone());
-            let taken = self.backward_jumps.entry((frame.routine, frame.rung, frame.element, instance)).or_default();
+            let taken = self.backward_jumps.entry((frame.rung, frame.element)).or_default();
             if *taken >= limits::BACKWARD_JUMPS {
                 return Err(Exit::Fault(94));
             }
@@ -85,11 +84,6 @@ impl<'p> Judge<'p> {
         let Operand::Integer { value: inputs, .. } = *self.operand(frame, operands[1]) else { panic!("no count") };
         let (inputs, returns) = operands[2..].split_at(inputs as usize);
         let program = &self.project.programs[usize::from(frame.program)];
-        if let (true, [only]) = (program.fault == Some(routine), inputs)
-            && let Number::Integer(number @ 990..=999) = self.number(frame, *only)?
-        {
-            return Err(Exit::Fault(number as u16));
-        }
         let mut values = Vec::with_capacity(inputs.len());
         for operand in inputs {
             values.push(self.passed(frame, *operand)?);
@@ -98,11 +92,19 @@ impl<'p> Judge<'p> {
         for operand in returns {
             targets.push(self.target(frame, *operand)?);
         }
+        if let (true, [only]) = (program.fault == Some(routine), inputs)
+            && let Number::Integer(number @ 990..=999) = self.number(frame, *only)?
+        {
+            return Err(Exit::Fault(number as u16));
+        }
         let callee = Frame { routine: routine.0, rung: 0, element: 0, ..frame.clone() };
         if let Some(parameters) = received(&callee, routine) {
-            for (operand, value) in parameters.iter().zip(values) {
-                let target = self.target(&callee, *operand)?;
-                self.place(&target, value);
+            let mut places = Vec::with_capacity(parameters.len());
+            for operand in parameters {
+                places.push(self.target(&callee, *operand)?);
+            }
+            for (target, value) in places.iter().zip(values) {
+                self.place(target, value);
             }
         }
         if let Some(returned) = self.routine(frame, routine)? {

@@ -51,7 +51,7 @@ pub const ADD_ON_DEPTH: usize = 16;
 pub const ADD_ON_PARAMETERS: usize = 512;
 /// Instructions after every Add-On Instruction call has been replaced by its body: interpreters specialise bodies for each call.
 pub const EXPANDED_INSTRUCTIONS: usize = 1 << 23;
-/// How often one JMP may jump backward in one scan before it is a major fault (decided).
+/// How often one JMP may jump backward in one execution of its routine before it is a major fault (decided).
 pub const BACKWARD_JUMPS: u32 = 1000;
 /// Bytes that one COP moves.
 pub const COPY_BYTES: u32 = 1 << 16;
