@@ -1,9 +1,10 @@
-//! Every sample gives the recording that lies beside it, to the byte. `BLESS=1` writes what a run gave, for a person to
-//! read before it is committed.
+//! Every sample gives the recording that lies beside it, to the byte, and its README explains every change of it.
+//! `BLESS=1` writes what a run gave, for a person to read before it is committed.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use crate::support::{Read, image_of, project_path, read_whole, session, stimulus, text};
+use crate::support::{Read, image_of, lines, project_path, read_whole, session, stimulus, text};
 
 /// Periods that a sample goes on after its stimulus.
 const PERIODS_AFTER: u64 = 10;
@@ -59,6 +60,46 @@ fn add_on_instruction_when_run_then_it_gives_its_recording() {
     expect_recording("add-on-instruction");
 }
 
+#[test]
+fn conveyor_muting_two_sensor_when_run_then_it_gives_its_recording() {
+    expect_recording("conveyor-muting-two-sensor");
+}
+
+#[test]
+fn conveyor_muting_two_sensor_asymmetrical_when_run_then_it_gives_its_recording() {
+    expect_recording("conveyor-muting-two-sensor-asymmetrical");
+}
+
+#[test]
+fn conveyor_muting_four_sensor_when_run_then_it_gives_its_recording() {
+    expect_recording("conveyor-muting-four-sensor");
+}
+
+#[test]
+fn two_hand_press_when_run_then_it_gives_its_recording() {
+    expect_recording("two-hand-press");
+}
+
+#[test]
+fn enabling_pendant_when_run_then_it_gives_its_recording() {
+    expect_recording("enabling-pendant");
+}
+
+#[test]
+fn dual_analog_trip_integer_when_run_then_it_gives_its_recording() {
+    expect_recording("dual-analog-trip-integer");
+}
+
+#[test]
+fn dual_analog_trip_real_when_run_then_it_gives_its_recording() {
+    expect_recording("dual-analog-trip-real");
+}
+
+#[test]
+fn locked_gate_when_run_then_it_gives_its_recording() {
+    expect_recording("locked-gate");
+}
+
 fn samples() -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(project_path("samples"))
         .unwrap()
@@ -93,5 +134,82 @@ fn samples_when_built_in_two_folders_then_the_images_are_the_same_bytes() {
         let there = elsewhere.path().join(format!("{sample}.rll"));
         fs::copy(&here, &there).unwrap();
         assert_eq!(image_of(&read_whole(&here)).1, image_of(&read_whole(&there)).1, "{sample}");
+    }
+}
+
+/// Warnings that a sample gives and its README answers.
+const ANSWERED: &[(&str, &str)] = &[("io-fault-latch-internal", "W0101")];
+
+#[test]
+fn samples_when_checked_then_nothing_is_found_that_is_not_answered() {
+    let unanswered: Vec<String> = samples()
+        .iter()
+        .flat_map(|sample| ["project.rll", "project.L5X"].map(|file| (sample.as_str(), file)))
+        .flat_map(|(sample, file)| {
+            let found = lines(&read_whole(&project_path("samples").join(sample).join(file)));
+            let answered = |line: &String| ANSWERED.iter().any(|(at, code)| *at == sample && line.starts_with(code));
+            found.into_iter().filter(move |line| !answered(line)).map(move |line| format!("{sample}/{file}: {line}"))
+        })
+        .collect();
+    assert!(unanswered.is_empty(), "{unanswered:#?}");
+}
+
+/// What changes at one time of a recording: names and their new values.
+type Changes = BTreeMap<String, String>;
+
+/// What changes in a recording, by its time in ms. Before the first scan everything is 0.
+fn recorded_changes(recording: &str) -> BTreeMap<u64, Changes> {
+    let mut rows = recording.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let mut before = vec!["0"; names.len()];
+    let mut changes = BTreeMap::new();
+    for row in rows {
+        let changed = names.iter().zip(&before).zip(&row).skip(1).filter(|((_, was), is)| number(was) != number(is));
+        let at: Changes = changed.map(|((name, _), is)| ((*name).to_owned(), number(is))).collect();
+        changes.extend((!at.is_empty()).then(|| (row[0].parse().unwrap(), at)));
+        before = row;
+    }
+    changes
+}
+
+/// A value as one text, however it is written: codes stand in a README in hexadecimal (`16#F150`).
+fn number(value: &str) -> String {
+    let plain = match value.strip_prefix("16#") {
+        Some(digits) => f64::from(u32::from_str_radix(digits, 16).unwrap()),
+        None => value.parse().unwrap(),
+    };
+    plain.to_string()
+}
+
+/// The rows `| at ms | what changes | what happens, and why |` of a README.
+fn explained_changes(readme: &str) -> BTreeMap<u64, Changes> {
+    let cells = |line: &'_ str| line.split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
+    let mut explained = BTreeMap::new();
+    for row in readme.lines().map(cells).filter(|row| row.len() == 5 && row[1].parse::<u64>().is_ok()) {
+        let at: u64 = row[1].parse().unwrap();
+        let change = |text: &str| {
+            let (name, value) = text.split_once(" = ").unwrap_or_else(|| panic!("{at} ms: `{text}` is not `NAME` = value"));
+            (name.trim_matches('`').to_owned(), number(value))
+        };
+        assert!(!row[3].is_empty(), "{at} ms is not explained");
+        let before = explained.insert(at, row[2].split(", ").map(change).collect());
+        assert_eq!(before, None, "{at} ms is explained twice");
+    }
+    explained
+}
+
+#[test]
+fn samples_when_explained_then_the_table_is_what_changes_in_the_recording() {
+    for sample in samples() {
+        let folder = project_path("samples").join(&sample);
+        let explained = explained_changes(&text(&folder.join("README.md")));
+        let recorded = recorded_changes(&text(&folder.join("recording.csv")));
+        let times: BTreeSet<u64> = explained.keys().chain(recorded.keys()).copied().collect();
+        let differing: Vec<_> = times
+            .into_iter()
+            .map(|at| (at, explained.get(&at), recorded.get(&at)))
+            .filter(|(_, says, is)| says != is)
+            .collect();
+        assert!(differing.is_empty(), "{sample}: (ms, what the README says, what changes): {differing:#?}");
     }
 }
