@@ -9,7 +9,8 @@ use crate::support::{read_whole, shared_path};
 /// Files that are broken as files, and why.
 const BROKEN: &[(&str, &str)] = &[("mytest.L5X", "the text of its only rung is `//`")];
 
-fn exports(folder: &Path) -> Vec<PathBuf> {
+/// The L5X files of a folder and of those below it.
+pub fn exports(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -4,6 +4,7 @@ mod bench_mixes;
 mod corpus;
 mod freestanding;
 mod house;
+mod idioms;
 mod image_bits;
 mod plant_program;
 mod refused;

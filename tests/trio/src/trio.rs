@@ -76,6 +76,12 @@ impl<'s> Trio<'s> {
         }
     }
 
+    /// Every single value of every tag, with its full name.
+    pub fn signals(&self) -> Vec<(String, Signal)> {
+        let values = |(_, range): &(TagId, CellRange)| names::values_of(&self.subject.image, range.tag);
+        self.tags.iter().flat_map(values).collect()
+    }
+
     /// Sets a bit cell in all three.
     pub fn set_bit(&mut self, cell: BitCell, value: bool) {
         self.primary.set_bit(cell, value);

@@ -14,7 +14,8 @@ mod writer;
 use twinrung_catalog::Element;
 
 pub use program::program;
-pub use stimulus::{Step, Stimulus, stimulus};
+pub use random::Random;
+pub use stimulus::{Step, Stimulus, any_value, stimulus};
 
 /// The position of the data type that has the 12 bytes of a TIMER.
 pub(crate) const TWELVE: usize = 0;

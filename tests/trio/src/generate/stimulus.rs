@@ -69,7 +69,7 @@ fn moved(random: &mut Random, generated: &Generated, beyond: &mut [bool]) -> Vec
                 continue;
             }
         } else if random.percent(if input.element == Element::Bool { 25 } else { 15 }) {
-            any(random, input.element)
+            any_value(random, input.element)
         } else {
             continue;
         };
@@ -82,7 +82,8 @@ fn in_range(random: &mut Random, input: &Input) -> Value {
     Value::Integer(random.below(input.bound.unwrap_or(1) as usize) as i32)
 }
 
-fn any(random: &mut Random, element: Element) -> Value {
+/// A value of a type, often one at which arithmetic goes wrong.
+pub fn any_value(random: &mut Random, element: Element) -> Value {
     match element {
         Element::Bool => Value::Bool(random.percent(50)),
         Element::Sint => Value::Integer(i32::from(literals::integer(random) as i8)),
