@@ -13,7 +13,7 @@ use crate::error::LoadError;
 use crate::load::Loaded;
 use crate::load::formula::{ADDRESSES, VALUES};
 use crate::number::Number;
-use crate::program::{Operand, Program};
+use crate::program::{Operand, Program, Range};
 use crate::run::jsr_operands;
 
 /// Routines within routines: a main routine, [`limits::CALL_DEPTH`] subroutines, [`limits::ADD_ON_DEPTH`] Add-On
@@ -23,7 +23,7 @@ pub(crate) const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH 
 pub(crate) const BRANCHES: usize = FRAMES * (limits::BRANCH_DEPTH + 1);
 /// Values that one call passes.
 pub(crate) const TRANSFERS: usize = 512;
-/// A CONTROL whose numeric run ended while its rung was false: the mark in its hidden word (A.6).
+/// A CONTROL whose last completed run ended while its rung was false: the mark in its hidden word (A.6).
 pub(crate) const ENDED_WHILE_FALSE: i64 = i64::MIN;
 
 /// Why a body runs, and what follows when it has ended.
@@ -104,10 +104,9 @@ pub(crate) struct Machine {
     pub(crate) branches: Vec<(bool, bool)>,
     /// Bodies that the prescan of this program has visited.
     pub(crate) visited: Vec<bool>,
-    /// Backward jumps of each JMP in this scan.
-    pub(crate) jumps: Vec<u32>,
-    /// Whether any of them is not 0.
-    pub(crate) jumped: bool,
+    /// Backward jumps of each JMP in the execution of its routine that goes on, and then the same again for executions
+    /// by the fault routine: it may call a routine that the fault has halted.
+    jumps: Vec<u32>,
     pub(crate) values: [i32; VALUES],
     /// For each value whether something overflowed while it was computed.
     pub(crate) overflowed: [bool; VALUES],
@@ -162,8 +161,7 @@ impl Machine {
             frames: Vec::with_capacity(FRAMES),
             branches: Vec::with_capacity(BRANCHES),
             visited: vec![false; program.bodies.len()],
-            jumps: vec![0; loaded.jump_counters],
-            jumped: false,
+            jumps: vec![0; program.jumps.len().saturating_mul(2)],
             values: [0; VALUES],
             overflowed: [false; VALUES],
             addresses: [(0, 0, 0); ADDRESSES],
@@ -213,7 +211,6 @@ impl Machine {
         self.branches.clear();
         self.visited.fill(false);
         self.jumps.fill(0);
-        self.jumped = false;
         self.handling = None;
         self.handled = false;
         self.doubtful = true;
@@ -250,6 +247,25 @@ impl Machine {
         if let Some(cell) = self.hidden.get_mut((word / 2) as usize) {
             *cell = value;
         }
+    }
+
+    /// Where the counters of backward jumps begin that are in use now.
+    fn first_jump(&self) -> usize {
+        if self.handling.is_some() { self.jumps.len() / 2 } else { 0 }
+    }
+
+    /// A routine with these JMPs begins: it counts its backward jumps anew (REQ-EXEC-016).
+    pub(crate) fn clear_jumps(&mut self, jumps: Range) {
+        let first = self.first_jump().saturating_add(jumps.first as usize);
+        if let Some(counters) = self.jumps.get_mut(first..first.saturating_add(jumps.count as usize)) {
+            counters.fill(0);
+        }
+    }
+
+    /// How often a JMP has jumped backward since its routine began.
+    pub(crate) fn backward_jumps(&mut self, jump: u32) -> Option<&mut u32> {
+        let first = self.first_jump();
+        self.jumps.get_mut(first.saturating_add(jump as usize))
     }
 
     /// The library state of a safety call.

@@ -142,7 +142,7 @@ pub(crate) struct Instruction {
     pub(crate) operands: Range,
     /// Its place on the rung.
     pub(crate) element: u32,
-    /// JMP: label; COP, FLL: copy plan; safety application instruction: call; else unused.
+    /// JMP: jump; COP, FLL: copy plan; safety application instruction: call; else unused.
     pub(crate) extra: u32,
 }
 
@@ -175,6 +175,8 @@ pub(crate) struct Body {
     pub(crate) stepped: bool,
     /// Its parameters, where its first rung begins with SBR: the instruction.
     pub(crate) parameters: u32,
+    /// Its JMPs; none where no JMP jumps backward.
+    pub(crate) jumps: Range,
 }
 
 /// A rung that a JMP reaches.
@@ -188,12 +190,12 @@ pub(crate) struct Label {
     pub(crate) step: u32,
 }
 
-/// A JMP: where to, and which of the image's JMP instructions it is.
+/// A JMP: where to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Jump {
     pub(crate) label: u32,
-    /// Index into the counters of backward jumps.
-    pub(crate) counter: u32,
+    /// Whether to its own or an earlier rung.
+    pub(crate) backward: bool,
 }
 
 /// A call of an Add-On Instruction.

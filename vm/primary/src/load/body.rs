@@ -21,14 +21,12 @@ const RECORD: u32 = 11;
 /// What is known of a body while it is built.
 struct Building {
     body: u32,
-    routine: u32,
     rung: u32,
     element: u32,
-    jumps: u32,
     /// Labels by name in lower case.
     labels: BTreeMap<Vec<u8>, u32>,
-    /// JMPs (index into `program.jumps`) and the name of their labels.
-    jumping: Vec<(usize, Vec<u8>)>,
+    /// JMPs: the rung, and the name of the label.
+    jumping: Vec<(u32, Vec<u8>)>,
     /// Position of the rung's first code.
     rung_code: u32,
 }
@@ -41,16 +39,8 @@ impl Loader<'_> {
         let record = image.routines.get(routine as usize).ok_or(MALFORMED)?;
         let mut reader = Reader::new(&record.code);
         let first = self.program.codes.len();
-        let mut building = Building {
-            body,
-            routine,
-            rung: 0,
-            element: 0,
-            jumps: 0,
-            labels: BTreeMap::new(),
-            jumping: Vec::new(),
-            rung_code: 0,
-        };
+        let mut building =
+            Building { body, rung: 0, element: 0, labels: BTreeMap::new(), jumping: Vec::new(), rung_code: 0 };
         let mut depth = 0usize;
         while !reader.is_empty() {
             let code = match reader.u8()? {
@@ -90,16 +80,26 @@ impl Loader<'_> {
                 return Err(LoadError::TooLarge("the bodies of Add-On Instructions"));
             }
         }
-        for (jump, name) in &building.jumping {
-            let label = building.labels.get(name).ok_or(LoadError::Malformed("the label of a JMP"))?;
-            if let Some(jump) = self.program.jumps.get_mut(*jump) {
-                jump.label = *label;
-            }
-        }
+        let jumps = self.jumps(&building)?;
         if let Some(entry) = self.program.bodies.get_mut(body as usize) {
             entry.codes = Range::since(first, &self.program.codes);
+            entry.jumps = jumps;
         }
         Ok(())
+    }
+
+    /// Finds the labels of a body's JMPs; gives the JMPs, if one of them jumps backward.
+    fn jumps(&mut self, building: &Building) -> Result<Range, LoadError> {
+        const MALFORMED: LoadError = LoadError::Malformed("the label of a JMP");
+        let first = self.program.jumps.len().saturating_sub(building.jumping.len());
+        let jumps = Range::since(first, &self.program.jumps);
+        let mut any_backward = false;
+        for (jump, (rung, name)) in self.program.jumps.iter_mut().skip(first).zip(&building.jumping) {
+            jump.label = *building.labels.get(name).ok_or(MALFORMED)?;
+            jump.backward = self.program.labels.get(jump.label as usize).ok_or(MALFORMED)?.rung <= *rung;
+            any_backward |= jump.backward;
+        }
+        Ok(if any_backward { jumps } else { Range::default() })
     }
 
     fn operand_indices(reader: &mut Reader<'_>) -> Result<Vec<u32>, LoadError> {
@@ -126,12 +126,9 @@ impl Loader<'_> {
             }
             Opcode::Jmp => {
                 let name = self.label(&indices)?;
-                let fresh = self.jump_counters.len() as u32;
-                let counter = *self.jump_counters.entry((building.routine, building.jumps)).or_insert(fresh);
-                building.jumps = building.jumps.saturating_add(1);
                 extra = self.program.jumps.len() as u32;
-                building.jumping.push((self.program.jumps.len(), name));
-                self.program.jumps.push(Jump { label: NONE, counter });
+                building.jumping.push((building.rung, name));
+                self.program.jumps.push(Jump { label: NONE, backward: false });
                 Range::default()
             }
             Opcode::Cpt => {

@@ -33,8 +33,6 @@ pub(crate) struct Loaded {
     pub(crate) constants: Vec<i32>,
     /// The instruction of each safety call's state.
     pub(crate) safety_states: Vec<Opcode>,
-    /// Number of JMP instructions.
-    pub(crate) jump_counters: usize,
 }
 
 /// The state of loading.
@@ -53,8 +51,6 @@ pub(crate) struct Loader<'a> {
     /// State of the safety library by backing tag.
     pub(crate) known_states: BTreeMap<(u32, u32), u32>,
     pub(crate) safety_states: Vec<Opcode>,
-    /// Counter of each JMP: by routine and the JMP's number in it.
-    pub(crate) jump_counters: BTreeMap<(u32, u32), u32>,
     /// Instructions of all bodies so far.
     pub(crate) expanded: usize,
 }
@@ -76,7 +72,6 @@ pub(crate) fn load(image: &Image, layouts: &[TypeLayout]) -> Result<Loaded, Load
         known_fields: BTreeMap::new(),
         known_states: BTreeMap::new(),
         safety_states: Vec::new(),
-        jump_counters: BTreeMap::new(),
         expanded: 0,
     };
     loader.programs()?;
@@ -84,19 +79,13 @@ pub(crate) fn load(image: &Image, layouts: &[TypeLayout]) -> Result<Loaded, Load
     while let Some(Pending { body, binding }) = loader.pending.pop_front() {
         loader.build_body(body, &binding)?;
     }
-    let Loader { mut program, safety_states, jump_counters, .. } = loader;
+    let Loader { mut program, safety_states, .. } = loader;
     program.bit_cells =
         u32::try_from(image.initial_bits.len()).map_err(|_| LoadError::TooLarge("the bit cells of the image"))?;
     program.word_cells =
         u32::try_from(image.initial_words.len()).map_err(|_| LoadError::TooLarge("the word cells of the image"))?;
     let banks = lower::lower(&mut program)?;
-    Ok(Loaded {
-        program,
-        bit_bank: banks.bits,
-        constants: banks.constants,
-        safety_states,
-        jump_counters: jump_counters.len(),
-    })
+    Ok(Loaded { program, bit_bank: banks.bits, constants: banks.constants, safety_states })
 }
 
 impl Loader<'_> {
@@ -163,6 +152,7 @@ impl Loader<'_> {
             of_program,
             stepped,
             parameters: NONE,
+            jumps: Range::default(),
         });
         self.pending.push_back(Pending { body, binding });
         Ok(body)

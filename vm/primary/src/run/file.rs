@@ -80,10 +80,10 @@ impl<O: Observer> Run<'_, O> {
             self.put_flag(file, EN, true);
             self.put_position(file, 0);
             self.begin_file(file);
-            self.elements(file, i32::MAX)
+            self.run_of_elements(file, input, i32::MAX)
         } else if file.is_search && self.flag(file, FD) && !self.flag(file, DN) {
             self.pass_hit(file);
-            self.elements(file, i32::MAX)
+            self.run_of_elements(file, input, i32::MAX)
         } else {
             Ok(())
         }
@@ -99,11 +99,11 @@ impl<O: Observer> Run<'_, O> {
         }
         self.put_flag(file, EN, true);
         if file.is_search && self.flag(file, FD) {
-            let next = self.position(file).saturating_add(1);
+            let next = self.position(file).wrapping_add(1);
             self.put_position(file, next);
         }
         self.begin_file(file);
-        self.elements(file, 1)
+        self.run_of_elements(file, input, 1)
     }
 
     fn file_numeric(&mut self, file: File, input: bool, count: i32) -> Result<(), FaultCode> {
@@ -115,6 +115,7 @@ impl<O: Observer> Run<'_, O> {
             self.put_flag(file, EN, true);
             self.begin_file(file);
             self.put_position(file, 0);
+            self.machine.put_hidden(word, 0);
         } else if self.flag(file, DN) {
             let ended_while_false = self.machine.hidden(word) == ENDED_WHILE_FALSE;
             if !input || ended_while_false {
@@ -127,10 +128,14 @@ impl<O: Observer> Run<'_, O> {
         } else if file.is_search && self.flag(file, FD) {
             self.pass_hit(file);
         }
-        self.machine.put_hidden(word, 0);
+        self.run_of_elements(file, input, count)
+    }
+
+    /// A run; the execution that completes it leaves its mark for mode n (REQ-EXEC-071).
+    fn run_of_elements(&mut self, file: File, input: bool, count: i32) -> Result<(), FaultCode> {
         self.elements(file, count)?;
-        if self.flag(file, DN) && !input {
-            self.machine.put_hidden(word, ENDED_WHILE_FALSE);
+        if self.flag(file, DN) {
+            self.machine.put_hidden(file.control.word, if input { 0 } else { ENDED_WHILE_FALSE });
         }
         Ok(())
     }
@@ -155,7 +160,7 @@ impl<O: Observer> Run<'_, O> {
     /// Goes on behind the element that was found.
     fn pass_hit(&mut self, file: File) {
         self.put_flag(file, FD, false);
-        let next = self.position(file).saturating_add(1);
+        let next = self.position(file).wrapping_add(1);
         self.put_position(file, next);
     }
 
@@ -185,7 +190,7 @@ impl<O: Observer> Run<'_, O> {
                 return Ok(());
             }
             // It goes on from what is there now.
-            let next = self.position(file).saturating_add(1);
+            let next = self.position(file).wrapping_add(1);
             self.put_position(file, next);
         }
         if self.position(file) >= self.machine.word(file.control.word) {

@@ -180,16 +180,15 @@ impl<O: Observer> Run<'_, O> {
     }
 
     /// JMP, taken.
-    fn jump(&mut self, jump: u32, frame: &Frame) -> Result<Next, FaultCode> {
-        let jump = *self.program.jumps.get(jump as usize).ok_or(NO_LABEL)?;
+    fn jump(&mut self, index: u32, frame: &Frame) -> Result<Next, FaultCode> {
+        let jump = *self.program.jumps.get(index as usize).ok_or(NO_LABEL)?;
         let label = *self.program.labels.get(jump.label as usize).ok_or(NO_LABEL)?;
-        if label.rung <= frame.rung {
-            let count = self.machine.jumps.get_mut(jump.counter as usize).ok_or(NO_LABEL)?;
+        if jump.backward {
+            let count = self.machine.backward_jumps(index).ok_or(NO_LABEL)?;
             if *count >= limits::BACKWARD_JUMPS {
                 return Err(LOOPS);
             }
             *count = count.saturating_add(1);
-            self.machine.jumped = true;
             if self.over_budget() {
                 return Ok(Next::Exhausted);
             }

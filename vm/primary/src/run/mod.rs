@@ -30,7 +30,7 @@ pub(crate) use math::binary;
 pub(crate) use transfer::jsr_operands;
 
 use crate::machine::{FRAMES, Frame, Machine, Role};
-use crate::program::{NONE, Program};
+use crate::program::{NONE, Program, Range};
 
 /// The code of a major fault, type 4.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,10 +114,6 @@ impl<O: Observer> Run<'_, O> {
         machine.frames.clear();
         machine.branches.clear();
         machine.events.fill(0);
-        if machine.jumped {
-            machine.jumps.fill(0);
-            machine.jumped = false;
-        }
         machine.handling = None;
         machine.handled = false;
         machine.executed_before = machine.status.executed;
@@ -175,6 +171,10 @@ impl<O: Observer> Run<'_, O> {
         // the lasting cells of that rung must stay.
         let stepping = stepped && !prescan && !O::ACTIVE && !machine.doubtful && machine.handling.is_none();
         let entry = self.program.bodies.get(body as usize);
+        let jumps = entry.map_or(Range::default(), |body| body.jumps);
+        if jumps.count != 0 {
+            machine.clear_jumps(jumps);
+        }
         let position = entry.map_or(0, |body| if stepping { body.steps.first } else { body.codes.first });
         machine.frames.push(Frame {
             body,

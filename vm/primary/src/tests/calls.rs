@@ -146,3 +146,26 @@ fn add_on_when_prescanned_with_an_output_out_of_range_then_faults_before_its_ena
     assert_eq!(code(rig.prescan()), 20);
     assert_eq!(rig.get("s.EnableIn"), 1);
 }
+
+#[test]
+fn subroutine_when_a_later_sbr_subscript_is_out_of_range_then_writes_no_parameter() {
+    let mut rig = subroutine(&["SBR(p,out[i])ADD(ran,1,ran)"], "JSR(Sub,2,x,x)");
+    rig.set("x", 7);
+    rig.set("i", 3);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.all("p ran"), [0, 0]);
+    rig.set("i", 2);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("p ran out[2]"), [7, 1, 7]);
+}
+
+#[test]
+fn subroutine_when_an_sbr_operand_is_the_subscript_of_another_then_that_is_evaluated_before_it_is_written() {
+    let mut rig = subroutine(&["SBR(i,out[i])ADD(ran,1,ran)"], "JSR(Sub,2,x,x)");
+    rig.set("x", 2);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("i out[0] out[2]"), [2, 2, 0]);
+    rig.set("x", 9);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("i out[2] ran"), [9, 9, 2]);
+}

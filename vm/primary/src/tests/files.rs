@@ -220,3 +220,83 @@ fn file_when_it_ends_with_the_last_element_that_an_array_can_have_then_completes
     assert_eq!(code(rig.scan()), 0);
     assert_eq!(rig.all("k.DN k.POS n"), [1, 1_048_576, 1_048_575]);
 }
+
+#[test]
+fn file_arithmetic_when_pos_is_the_greatest_dint_then_it_wraps() {
+    let mut rig = Rig::new("k CONTROL", &["FAL(k,?,?,INC,k.POS,2147483647)"]);
+    rig.set("k.LEN", 1);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("k.POS k.DN"), [i32::MIN, 0]);
+    let mut rig = Rig::new("k CONTROL", &["FAL(k,?,?,ALL,k.POS,2147483647)"]);
+    rig.set("k.LEN", 1);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.all("k.POS k.DN"), [i32::MIN, 0]);
+}
+
+#[test]
+fn file_search_when_it_passes_a_hit_at_the_greatest_dint_then_pos_wraps() {
+    for (mode, enabled) in [("ALL", 1), ("INC", 0), ("2", 1)] {
+        let mut rig = Rig::new("k CONTROL; n DINT", &[&alloc::format!("FSC(k,?,?,{mode},n = 5)")]);
+        rig.set("k.LEN", 4);
+        rig.set("k.POS", i32::MAX);
+        rig.set("k.EN", enabled);
+        rig.set("k.FD", 1);
+        assert_eq!(code(rig.scan()), 21, "{mode}");
+        assert_eq!(rig.all("k.POS k.FD k.EN"), [i32::MIN, 0, 1], "{mode}");
+    }
+}
+
+/// A FAL in mode 2 and, where `other` is set, one in another mode share a CONTROL. The run in mode 2 was completed on a
+/// false rung, and then the other FAL was executed on one.
+fn completed_on_false(mode: &str) -> Rig {
+    let mut rig = Rig::new(
+        "a b other BOOL; k CONTROL; arr DINT[3]",
+        &[
+            "XIC(other)JMP(on)",
+            "XIC(a)FAL(k,?,?,2,arr[k.POS],7)",
+            "TND()",
+            &alloc::format!("LBL(on)XIC(b)FAL(k,?,?,{mode},arr[k.POS],8)"),
+        ],
+    );
+    rig.set("k.LEN", 3);
+    rig.set("a", 1);
+    rig.scan();
+    rig.set("a", 0);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 1, 3]);
+    rig.set("other", 1);
+    rig.scan();
+    rig
+}
+
+#[test]
+fn file_arithmetic_when_a_run_in_another_mode_is_completed_on_a_true_rung_then_the_false_one_is_forgotten() {
+    for mode in ["ALL", "INC"] {
+        let mut rig = completed_on_false(mode);
+        assert_eq!(rig.all("k.EN k.DN k.POS"), [0, 0, 0], "{mode}");
+        rig.set("k.LEN", 1);
+        rig.set("b", 1);
+        rig.scan();
+        assert_eq!(rig.all("k.EN k.DN k.POS arr[0]"), [1, 1, 1, 8], "{mode}");
+        rig.set("other", 0);
+        rig.set("a", 1);
+        rig.scan();
+        assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 1, 1], "{mode}");
+        rig.set("a", 0);
+        rig.scan();
+        assert_eq!(rig.all("k.EN k.DN k.POS"), [0, 0, 0], "{mode}");
+    }
+}
+
+#[test]
+fn file_arithmetic_when_a_run_in_another_mode_is_not_completed_then_the_false_one_is_remembered() {
+    let mut rig = completed_on_false("INC");
+    rig.set("b", 1);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [1, 0, 1]);
+    rig.set("other", 0);
+    rig.set("a", 1);
+    rig.set("k.DN", 1);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.POS"), [0, 0, 0]);
+}

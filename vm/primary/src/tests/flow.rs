@@ -15,14 +15,14 @@ fn assembler(tags: &str) -> Assembler {
     assembler
 }
 
-fn code(end: ScanEnd) -> u16 {
+pub(super) fn code(end: ScanEnd) -> u16 {
     match end {
         ScanEnd::MajorFault(fault) => fault.code,
         ScanEnd::Completed | ScanEnd::BudgetExceeded => 0,
     }
 }
 
-fn with_record(assembler: &mut Assembler) {
+pub(super) fn with_record(assembler: &mut Assembler) {
     assembler.tags("zero DINT[11]; record DINT[11]");
     assembler.image.system_values.push(SystemValueRecord { attribute: 9, instance: 0, first: 0, program: None });
 }

@@ -5,6 +5,7 @@ mod bits_and_timers;
 mod calls;
 mod files;
 mod flow;
+mod jumps;
 mod numbers;
 mod random;
 mod rig;
