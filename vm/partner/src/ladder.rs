@@ -216,6 +216,10 @@ pub(crate) struct Body {
     pub(crate) begin: u32,
     /// Whether rungs begin true whatever the MCR override says.
     pub(crate) add_on: bool,
+    /// First counter of its backward jumps.
+    pub(crate) counter: u32,
+    /// Its backward jumps.
+    pub(crate) counters: u32,
 }
 
 /// One copy of a call: from an argument to a parameter or back.
@@ -347,6 +351,8 @@ pub(crate) struct Ladder {
     pub(crate) calls: Vec<Call>,
     /// JMPs.
     pub(crate) jumps: Vec<Jump>,
+    /// Counters of backward jumps.
+    pub(crate) counters: u32,
     /// JSRs.
     pub(crate) subroutines: Vec<Subroutine>,
     /// System values.

@@ -71,7 +71,7 @@ pub(crate) struct Memory {
     used_words: usize,
 }
 
-/// Stamp of a CONTROL whose numeric run finished while its rung was false.
+/// Stamp of a CONTROL whose run was last completed while its rung was false.
 pub(crate) const FINISHED_FALSE: i64 = i64::MIN;
 
 impl Memory {

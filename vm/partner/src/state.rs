@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use twinrung_bytecode::channel::Status;
 use twinrung_bytecode::limits;
 
-use crate::ladder::{Argument, Ladder, Location, NONE};
+use crate::ladder::{Argument, Ladder, Location};
 use crate::load::{ADDRESSES, VALUES};
 use crate::memory::{Memory, Size};
 use crate::walk::address::Address;
@@ -73,8 +73,9 @@ pub(crate) struct State {
     pub(crate) records: Vec<[i32; RECORD_WORDS]>,
     /// How often EVENT triggered each task in this scan.
     pub(crate) events: Vec<u32>,
-    /// Backward jumps in this scan.
-    pub(crate) jumps: Vec<u32>,
+    /// Backward jumps in the execution of their routine; those within the fault routine apart, because it may execute a
+    /// routine that it interrupted.
+    pub(crate) jumps: Vec<[u32; 2]>,
     /// Bodies that this prescan of a program has reached.
     pub(crate) visited: Vec<bool>,
     /// Bodies that wait for the one at work.
@@ -101,8 +102,6 @@ impl State {
             .iter()
             .map(|call| call.inputs.len().saturating_add(call.receivers.len()).saturating_add(call.returns.len()));
         let longest = calls.chain(subroutines).max().unwrap_or(0).saturating_add(limits::JSR_PARAMETERS);
-        let counters = ladder.jumps.iter().filter(|jump| jump.counter != NONE).map(|jump| jump.counter as usize);
-        let counters = counters.max().map_or(0, |last| last.saturating_add(1));
         let used_words = ladder.initial_words.len();
         let mut state = State {
             memory: Memory::new(size, image_bits, image_words, used_words),
@@ -116,7 +115,7 @@ impl State {
             in_library: false,
             records: vec![[0; RECORD_WORDS]; ladder.programs.len()],
             events: vec![0; event_tasks],
-            jumps: vec![0; counters],
+            jumps: vec![[0; 2]; ladder.counters as usize],
             visited: vec![false; ladder.bodies.len()],
             frames: Vec::with_capacity(FRAMES),
             bound: Vec::with_capacity(arguments(longest)),
@@ -155,7 +154,6 @@ impl State {
         self.in_fault_routine = false;
         self.in_library = false;
         self.events.fill(0);
-        self.jumps.fill(0);
         self.frames.clear();
         self.bound.clear();
         self.status.key = 0;

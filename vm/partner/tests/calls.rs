@@ -1,4 +1,4 @@
-//! Subscripts of operands: when calls look at them, and in which order expressions do. REQ-EXEC-004, 023, 030.
+//! Subscripts of operands: when calls look at them, and in which order expressions do. REQ-EXEC-004, 023, 030, 053.
 
 mod support;
 
@@ -86,6 +86,61 @@ fn jsr_when_a_subscript_of_an_input_or_a_return_operand_is_out_of_range_then_the
         assert_eq!(rig.status().executed - before, 1);
         assert_eq!(rig.row(&["To", "Given", "B[0]"]), [to, 0, 0]);
     }
+}
+
+const RECEIVING: &str = ")
+ROUTINE Main
+N: JSR(Sub,2,A[1],A[2]);
+END_ROUTINE
+ROUTINE Sub
+N: SBR(At,B[At])NOP();
+END_ROUTINE";
+
+fn receiving(at: i32) -> (Rig, Option<u16>) {
+    let mut rig = Rig::new(&project("", &tags(&["A : DINT[3] := [5,2,7]", "B : DINT[3]", "At : DINT"]), RECEIVING));
+    rig.prescan(0);
+    rig.set("At", at);
+    let fault = fault_code(rig.scan(0));
+    (rig, fault)
+}
+
+#[test]
+fn sbr_when_its_first_operand_is_the_subscript_of_its_second_then_the_subscript_is_looked_at_before_it_is_written() {
+    let (rig, fault) = receiving(1);
+    assert_eq!(fault, None);
+    assert_eq!(rig.row(&["At", "B[0]", "B[1]", "B[2]"]), [2, 0, 7, 0]);
+}
+
+#[test]
+fn sbr_when_a_subscript_of_a_later_operand_is_out_of_range_then_none_is_written_and_the_routine_does_not_begin() {
+    for at in [3, -1] {
+        let (rig, fault) = receiving(at);
+        assert_eq!(fault, Some(20));
+        assert_eq!(rig.row(&["At", "B[0]", "B[1]", "B[2]"]), [at, 0, 0, 0]);
+    }
+}
+
+/// A JSR to the fault routine, which takes its operands, has this fault.
+fn user_fault(call: &str, receives: &str, at: i32, number: i32) -> Option<u16> {
+    let program = format!(
+        ", FAULT := \"Handler\")\nROUTINE Main\nN: {call};\nEND_ROUTINE\n\
+         ROUTINE Handler\nN: {receives}RET(N);\nEND_ROUTINE"
+    );
+    let mut rig = Rig::new(&project("", &tags(&["A : DINT[3]", "B : DINT[3]", "At : DINT", "N : DINT"]), &program));
+    rig.prescan(0);
+    rig.set("At", at);
+    rig.set("N", number);
+    fault_code(rig.scan(0))
+}
+
+#[test]
+fn jsr_when_it_raises_a_user_fault_then_its_return_operands_are_looked_at_before_and_those_of_the_sbr_never() {
+    assert_eq!(user_fault("JSR(Handler,1,N,B[At])", "SBR(A[0])", 2, 995), Some(995));
+    assert_eq!(user_fault("JSR(Handler,1,N,B[At])", "SBR(A[0])", 3, 995), Some(20));
+    assert_eq!(user_fault("JSR(Handler,1,N,B[0])", "SBR(A[At])", 3, 995), Some(995));
+    assert_eq!(user_fault("JSR(Handler,1,N,B[0])", "SBR(A[At])", 3, 989), Some(20));
+    assert_eq!(user_fault("JSR(Handler,1,N,B[0])", "SBR(A[At])", 2, 989), None);
+    assert_eq!(user_fault("JSR(Handler,1,999)", "SBR(A[At],B[At])", 3, 0), Some(999));
 }
 
 #[test]

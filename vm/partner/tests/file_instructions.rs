@@ -84,3 +84,57 @@ fn fal_when_its_position_is_at_the_greatest_dint_then_the_next_is_the_least() {
     assert_eq!(rig.scan(0), ScanEnd::Completed);
     assert_eq!(rig.row(&["K.POS", "K.DN"]), [i32::MIN, 0]);
 }
+
+/// Runs a numeric FAL on K to its end with a false rung, and clears DN; where Other is set another FAL on K runs.
+fn completed_on_a_false_rung(mode: &str) -> Rig {
+    let tag_list = ["K : CONTROL := [0,2,0]", "Go : BOOL", "Other : BOOL", "A : DINT[8]"];
+    let other = format!("FAL(K,?,?,{mode},A[0],1)");
+    let body = ["XIC(Go)FAL(K,?,?,1,A[K.POS],1)", "XIO(Other)JMP(End)", &other, "LBL(End)NOP()"];
+    let mut rig = rungs(&tag_list, &body);
+    rig.prescan(0);
+    rig.set("Go", 1);
+    rig.scan(0);
+    rig.set("Go", 0);
+    rig.scan(10);
+    assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [1, 1, 2]);
+    rig.set("Go", 1);
+    rig.set("K.DN", 0);
+    rig
+}
+
+/// REQ-EXEC-071.
+#[test]
+fn fal_when_its_run_is_completed_again_on_a_true_rung_then_it_forgets_the_false_one() {
+    let mut rig = completed_on_a_false_rung("ALL");
+    for scan in 2..5 {
+        rig.scan(scan * 10);
+        assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [1, 1, 2]);
+    }
+}
+
+#[test]
+fn fal_when_all_mode_completes_a_run_on_the_same_control_then_the_false_rung_is_forgotten_too() {
+    for mode in ["ALL", "INC"] {
+        let mut rig = completed_on_a_false_rung(mode);
+        rig.set("Go", 0);
+        rig.set("Other", 1);
+        rig.set("K.EN", 0);
+        rig.set("K.POS", 1);
+        rig.scan(20);
+        assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [1, 1, 2], "{mode}");
+        rig.set("Go", 1);
+        rig.scan(30);
+        assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [1, 1, 2], "{mode}");
+    }
+}
+
+#[test]
+fn fal_when_an_execution_on_a_true_rung_completes_nothing_then_the_false_rung_is_remembered() {
+    let mut rig = completed_on_a_false_rung("ALL");
+    rig.set("K.POS", 0);
+    rig.scan(20);
+    assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [1, 0, 1]);
+    rig.set("K.DN", 1);
+    rig.scan(30);
+    assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [0, 0, 0]);
+}

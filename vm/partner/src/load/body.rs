@@ -39,9 +39,7 @@ impl<'a> Loader<'a> {
         let unit = self.unit(job.context.library).ok_or_else(|| broken.clone())?;
         let code: &'a [u8] = &unit.image.routines.get(job.routine.position()).ok_or_else(|| broken.clone())?.code;
         let begin = self.steps.len() as u32;
-        if let Some(body) = self.bodies.get_mut(job.body.0 as usize) {
-            body.begin = begin;
-        }
+        let counter = self.counters;
         let mut progress = Progress { labels: self.labels(job, code), ..Progress::default() };
         let mut cursor = Cursor::new(code);
         let mut rung = Vec::new();
@@ -54,6 +52,11 @@ impl<'a> Loader<'a> {
         }
         self.close_region(&mut progress);
         self.steps.push(Step { code: Code::End, count: 0, element: 0, first: 0 });
+        if let Some(body) = self.bodies.get_mut(job.body.0 as usize) {
+            body.begin = begin;
+            body.counter = counter;
+            body.counters = self.counters.wrapping_sub(counter);
+        }
         for pending in progress.pending {
             let target = pending.rung.and_then(|rung| progress.starts.get(rung as usize)).copied().unwrap_or(NONE);
             if let Some(jump) = self.jumps.get_mut(pending.jump as usize) {
@@ -194,9 +197,9 @@ impl<'a> Loader<'a> {
                 });
                 let counter = match target {
                     Some(target) if target <= rung => {
-                        let next = self.counters.len() as u32;
-                        let instance = context.instance.first_cells();
-                        *self.counters.entry((instance, job.routine, rung, element)).or_insert(next)
+                        let next = self.counters;
+                        self.counters = next.wrapping_add(1);
+                        next
                     }
                     _ => NONE,
                 };

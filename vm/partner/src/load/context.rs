@@ -47,19 +47,6 @@ pub(crate) enum Instance {
     },
 }
 
-impl Instance {
-    /// Cells that tell it from every other instance; `None` where there is none.
-    pub(crate) fn first_cells(&self) -> Option<(u32, u32)> {
-        match self {
-            Instance::None => None,
-            Instance::At { bit, word } => Some((*bit, *word)),
-            Instance::Scattered { bits, words } => {
-                Some((bits.last().copied().unwrap_or(u32::MAX), words.last().copied().unwrap_or(u32::MAX)))
-            }
-        }
-    }
-}
-
 /// One call, or one program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Context {

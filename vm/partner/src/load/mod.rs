@@ -50,9 +50,6 @@ pub(crate) struct Job {
     context: Rc<Context>,
 }
 
-/// A JMP: the first cells of its instance, its routine, rung and element.
-type JumpKey = (Option<(u32, u32)>, RoutineIndex, u32, u16);
-
 /// Everything that loading collects.
 pub(crate) struct Loader<'a> {
     application: Unit<'a>,
@@ -72,8 +69,8 @@ pub(crate) struct Loader<'a> {
     bodies: Vec<Body>,
     calls: Vec<Call>,
     jumps: Vec<Jump>,
-    /// Counters of backward jumps, by the instruction that they belong to and its instance.
-    counters: BTreeMap<JumpKey, u32>,
+    /// Counters of backward jumps so far.
+    counters: u32,
     subroutines: Vec<Subroutine>,
     /// The body of each routine of a program.
     routine_bodies: Vec<Option<BodyIndex>>,
@@ -104,7 +101,7 @@ pub(crate) fn load(application: Unit<'_>, library: Option<Unit<'_>>) -> Result<(
         bodies: Vec::new(),
         calls: Vec::new(),
         jumps: Vec::new(),
-        counters: BTreeMap::new(),
+        counters: 0,
         subroutines: Vec::new(),
         routine_bodies: vec![None; image.routines.len()],
         zones: code::zones(image),
@@ -163,7 +160,7 @@ impl<'a> Loader<'a> {
     fn queue(&mut self, routine: RoutineIndex, context: Rc<Context>) -> BodyIndex {
         let body = BodyIndex(self.bodies.len() as u32);
         let add_on = context.instance != Instance::None;
-        self.bodies.push(Body { routine, begin: NONE, add_on });
+        self.bodies.push(Body { routine, begin: NONE, add_on, counter: 0, counters: 0 });
         self.jobs.push_back(Job { body, routine, context });
         body
     }
@@ -196,6 +193,7 @@ impl<'a> Loader<'a> {
             bodies: self.bodies,
             calls: self.calls,
             jumps: self.jumps,
+            counters: self.counters,
             subroutines: self.subroutines,
             system_values,
             programs,

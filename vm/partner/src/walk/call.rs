@@ -73,8 +73,7 @@ impl<O: Observer> Walker<'_, O> {
         let ladder = self.ladder;
         let prescan = ladder.calls.get(number as usize).and_then(|call| call.prescan);
         let Some(body) = prescan else { return self.leave_add_on(number) };
-        let begin = self.begin_of(body);
-        self.frame = super::Frame::new(body, begin, Mode::Normal, Link::AddOn(number), self.frame.bound);
+        self.enter(body, Mode::Normal, Link::AddOn(number), self.frame.bound);
         Flow::On
     }
 
@@ -167,9 +166,7 @@ impl<O: Observer> Walker<'_, O> {
         let ladder = self.ladder;
         match ladder.calls.get(number as usize).and_then(|call| call.prescan) {
             Some(body) => {
-                let begin = self.begin_of(body);
-                let link = Link::SafetyPrescanned(number, flags);
-                self.frame = super::Frame::new(body, begin, Mode::Normal, link, self.frame.bound);
+                self.enter(body, Mode::Normal, Link::SafetyPrescanned(number, flags), self.frame.bound);
             }
             None => self.leave_safety_prescanned(number, flags),
         }

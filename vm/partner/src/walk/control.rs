@@ -6,7 +6,7 @@ use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
 use super::fault::{Fault, LABEL, NESTING, PARAMETERS, STACK};
-use super::frame::{Frame, Link, Mode};
+use super::frame::{Link, Mode};
 use super::value::Value;
 use super::{Flow, Walker};
 use crate::ladder::{Argument, BodyIndex, Location, NONE, Step};
@@ -23,7 +23,7 @@ impl<O: Observer> Walker<'_, O> {
             return Err(STACK);
         }
         self.state.frames.push(self.frame);
-        self.frame = Frame::new(body, self.begin_of(body), mode, link, bound as u32);
+        self.enter(body, mode, link, bound as u32);
         Ok(())
     }
 
@@ -200,7 +200,8 @@ impl<O: Observer> Walker<'_, O> {
     fn jump(&mut self, step: Step) -> Flow {
         let jump = self.ladder.jumps.get(step.first as usize).copied();
         let Some(jump) = jump.filter(|jump| jump.target != NONE) else { return self.after(Err(LABEL)) };
-        if let Some(taken) = self.state.jumps.get_mut(jump.counter as usize) {
+        let within = usize::from(self.state.in_fault_routine);
+        if let Some(taken) = self.state.jumps.get_mut(jump.counter as usize).and_then(|pair| pair.get_mut(within)) {
             if *taken >= limits::BACKWARD_JUMPS {
                 return self.after(Err(NESTING));
             }
@@ -216,11 +217,7 @@ impl<O: Observer> Walker<'_, O> {
 
     fn call_subroutine(&mut self, step: Step) -> Result<(), Fault> {
         let Some(call) = self.ladder.subroutines.get(step.first as usize) else { return Ok(()) };
-        if call.receivers.len() > call.inputs.len() {
-            return Err(PARAMETERS);
-        }
-        let arguments = call.inputs.iter().chain(&call.returns).chain(&call.receivers).copied();
-        let first = self.bind_all(arguments)?;
+        let first = self.bind_all(call.inputs.iter().chain(&call.returns).copied())?;
         if call.fault_routine && call.inputs.len() == 1 {
             let number = self.bound_value(self.bound(first));
             if !number.is_real() && USER_FAULTS.contains(&number.bits) {
@@ -228,7 +225,12 @@ impl<O: Observer> Walker<'_, O> {
                 return Err(Fault(number.bits as u16));
             }
         }
-        let receivers = first.saturating_add(call.inputs.len()).saturating_add(call.returns.len());
+        // A user fault calls nothing: only behind it the operands of the SBR matter.
+        let bound = match call.receivers.len() > call.inputs.len() {
+            true => Err(PARAMETERS),
+            false => self.bind_all(call.receivers.iter().copied()),
+        };
+        let receivers = bound.inspect_err(|_| self.state.bound.truncate(first))?;
         self.pass_all(first, receivers, call.receivers.len());
         self.begin(call.body, Mode::Normal, Link::Subroutine(step.first), first)
     }

@@ -4,7 +4,7 @@ use twinrung_bytecode::channel::{MajorFault, Place, ScanEnd};
 use twinrung_bytecode::observer::Observer;
 
 use super::Walker;
-use super::frame::{Frame, Link, Mode};
+use super::frame::{Link, Mode};
 use crate::state::{FRAMES, RECORD_WORDS};
 
 /// A major fault's code.
@@ -52,10 +52,9 @@ impl<O: Observer> Walker<'_, O> {
         let link = Link::Fault(self.state.memory.bit(own));
         self.state.memory.set_bit(own, false);
         self.state.in_fault_routine = true;
-        let begin = self.begin_of(handler);
         let bound = self.state.bound.len() as u32;
         self.state.frames.push(self.frame);
-        self.frame = Frame::new(handler, begin, Mode::Normal, link, bound);
+        self.enter(handler, Mode::Normal, link, bound);
         None
     }
 

@@ -97,7 +97,7 @@ impl<O: Observer> Walker<'_, O> {
         if self.member_bit(cells, EN) {
             if all && hit && !self.member_bit(cells, DN) {
                 self.leave_hit(cells);
-                return self.run(cells, work, count);
+                return self.run(cells, work, count, true);
             }
             return Ok(());
         }
@@ -107,7 +107,7 @@ impl<O: Observer> Walker<'_, O> {
             self.leave_hit(cells);
         }
         self.starts(cells, work);
-        self.run(cells, work, count)
+        self.run(cells, work, count, true)
     }
 
     fn starts(&mut self, cells: Cells, work: Work) {
@@ -125,6 +125,7 @@ impl<O: Observer> Walker<'_, O> {
             if !input {
                 return Ok(());
             }
+            self.state.memory.set_stamp(cells.1, 0);
             self.set_member_word(cells, POS, 0);
             self.starts(cells, work);
         } else if self.member_bit(cells, DN) {
@@ -138,12 +139,7 @@ impl<O: Observer> Walker<'_, O> {
         } else if work.searches() && self.member_bit(cells, FD) {
             self.leave_hit(cells);
         }
-        self.state.memory.set_stamp(cells.1, 0);
-        self.run(cells, work, count)?;
-        if self.member_bit(cells, DN) && !input {
-            self.state.memory.set_stamp(cells.1, FINISHED_FALSE);
-        }
-        Ok(())
+        self.run(cells, work, count, input)
     }
 
     fn leave_hit(&mut self, cells: Cells) {
@@ -152,8 +148,8 @@ impl<O: Observer> Walker<'_, O> {
         self.set_member_bit(cells, FD, false);
     }
 
-    /// Processes up to `count` elements (REQ-EXEC-072).
-    fn run(&mut self, cells: Cells, work: Work, count: u32) -> Result<(), Fault> {
+    /// Processes up to `count` elements (REQ-EXEC-072); who completes the run notes how the rung was.
+    fn run(&mut self, cells: Cells, work: Work, count: u32, input: bool) -> Result<(), Fault> {
         if self.member_word(cells, LEN) < 0 || self.member_word(cells, POS) < 0 {
             return Err(CONTROL);
         }
@@ -187,6 +183,7 @@ impl<O: Observer> Walker<'_, O> {
         }
         if self.member_word(cells, POS) >= self.member_word(cells, LEN) {
             self.set_member_bit(cells, DN, true);
+            self.state.memory.set_stamp(cells.1, if input { 0 } else { FINISHED_FALSE });
         }
         Ok(())
     }

@@ -109,7 +109,7 @@ impl<'a, O: Observer> Walker<'a, O> {
 
     /// Runs a body of the program to its end; `Some` where the scan ends with it.
     fn body(&mut self, body: BodyIndex, mode: Mode) -> Option<ScanEnd> {
-        self.frame = Frame::new(body, self.begin_of(body), mode, Link::Program, 0);
+        self.enter(body, mode, Link::Program, 0);
         loop {
             match self.step() {
                 Flow::On => {}
@@ -246,9 +246,16 @@ impl<'a, O: Observer> Walker<'a, O> {
 
     // ---- what everything uses
 
-    /// The first step of a body.
-    fn begin_of(&self, body: BodyIndex) -> u32 {
-        self.ladder.bodies.get(body.0 as usize).map_or(u32::MAX, |body| body.begin)
+    /// Puts a body to work from its beginning; it counts its backward jumps anew (REQ-EXEC-016).
+    fn enter(&mut self, index: BodyIndex, mode: Mode, link: Link, bound: u32) {
+        let body = self.ladder.bodies.get(index.0 as usize);
+        self.frame = Frame::new(index, body.map_or(u32::MAX, |body| body.begin), mode, link, bound);
+        let Some(body) = body.filter(|body| body.counters > 0) else { return };
+        let counters = body.counter as usize..body.counter.saturating_add(body.counters) as usize;
+        let within = usize::from(self.state.in_fault_routine);
+        for taken in self.state.jumps.get_mut(counters).into_iter().flatten().filter_map(|pair| pair.get_mut(within)) {
+            *taken = 0;
+        }
     }
 
     /// Marks a body as reached by this prescan; whether it was not yet.
