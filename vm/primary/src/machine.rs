@@ -56,6 +56,8 @@ pub(crate) struct Frame {
     pub(crate) stepping: bool,
     /// The rung condition, while it goes by codes.
     pub(crate) condition: bool,
+    /// Whether a fault was cleared on this rung: nothing on it becomes true again (REQ-EXEC-051).
+    pub(crate) halted: bool,
     /// Entries of the branch stack that belong to the frames below.
     pub(crate) branches: u32,
     /// The step at which it goes on by steps when the rung ends, or [`crate::program::NONE`].

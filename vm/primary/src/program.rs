@@ -347,6 +347,11 @@ pub(crate) struct Program {
 }
 
 impl Program {
+    /// The operand with this index.
+    pub(crate) fn operand_at(&self, index: u32) -> Operand {
+        self.operands.get(index as usize).copied().unwrap_or(Operand::Nothing)
+    }
+
     /// An operand of an instruction.
     pub(crate) fn operand(&self, operands: Range, index: usize) -> Operand {
         operands.of(&self.operands).get(index).copied().unwrap_or(Operand::Nothing)

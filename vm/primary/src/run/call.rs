@@ -46,14 +46,14 @@ impl<O: Observer> Run<'_, O> {
             self.check_arguments(call)?;
             self.write_bit(call.enable_in, false);
             self.write_bit(call.enable_out, false);
-            self.pass_arguments(call.inputs, true)?;
+            self.copy_in(call.inputs)?;
             self.push(call.logic, Role::Logic { call: index }, true)?;
             return Ok(Next::Switched);
         }
         if input {
             self.check_arguments(call)?;
             self.write_bit(call.enable_in, true);
-            self.pass_arguments(call.inputs, true)?;
+            self.copy_in(call.inputs)?;
             self.write_bit(call.enable_out, true);
             self.push(call.logic, Role::Logic { call: index }, false)?;
             return Ok(Next::Switched);
@@ -66,7 +66,7 @@ impl<O: Observer> Run<'_, O> {
         self.check_arguments(call)?;
         self.write_bit(call.enable_in, false);
         self.write_bit(call.enable_out, false);
-        self.pass_arguments(call.inputs, true)?;
+        self.copy_in(call.inputs)?;
         self.push(call.enable_in_false, Role::EnableInFalse { call: index }, false)?;
         Ok(Next::Switched)
     }
@@ -84,7 +84,7 @@ impl<O: Observer> Run<'_, O> {
     /// Logic or EnableInFalse of a call has ended.
     pub(super) fn after_add_on(&mut self, index: u32) -> Result<(), ScanEnd> {
         let Some(call) = self.call(index) else { return Ok(()) };
-        match self.pass_arguments(call.outputs, false) {
+        match self.copy_out(call.outputs) {
             Ok(()) => {
                 let out = self.machine.bit(call.enable_out);
                 self.deliver(out)
@@ -108,7 +108,7 @@ impl<O: Observer> Run<'_, O> {
     /// Prescan of a call has ended.
     pub(super) fn after_add_on_prescan(&mut self, index: u32) -> Result<(), ScanEnd> {
         let Some(call) = self.call(index) else { return Ok(()) };
-        match self.pass_arguments(call.outputs, false) {
+        match self.copy_out(call.outputs) {
             Ok(()) => self.deliver(false),
             Err(code) => self.fault_caller(code),
         }

@@ -98,6 +98,7 @@ impl<O: Observer> Run<'_, O> {
                 top.rung = single.rung;
                 top.resume = single.resume;
                 top.condition = false;
+                top.halted = true;
             }
             return;
         }
@@ -106,6 +107,7 @@ impl<O: Observer> Run<'_, O> {
         }
         if let Some(top) = self.machine.frames.last_mut() {
             top.condition = false;
+            top.halted = true;
         }
     }
 }

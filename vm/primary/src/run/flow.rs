@@ -75,6 +75,7 @@ impl<O: Observer> Run<'_, O> {
                 Some(Code::EndRung) => {
                     self.machine.branches.truncate(frame.branches as usize);
                     frame.rung = frame.rung.saturating_add(1);
+                    frame.halted = false;
                     if frame.resume != NONE {
                         frame.position = frame.resume;
                         frame.resume = NONE;
@@ -235,6 +236,7 @@ impl<O: Observer> Run<'_, O> {
                 top.position = top.position.saturating_add(1);
             }
         } else {
+            let out = out && !frame.halted;
             self.report(&frame, frame.position.saturating_sub(1), frame.condition, out);
             if let Some(top) = self.machine.frames.last_mut() {
                 top.condition = out;

@@ -182,6 +182,7 @@ impl<O: Observer> Run<'_, O> {
             rung: 0,
             stepping,
             condition: false,
+            halted: false,
             branches: machine.branches.len() as u32,
             resume: NONE,
             role,

@@ -1,5 +1,5 @@
 //! Values on their way into and out of routines: JSR, SBR, RET, and the arguments of Add-On Instructions. Every source is
-//! read before anything is written.
+//! read before anything is written, but for the outputs of Add-On Instructions.
 
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
@@ -166,16 +166,13 @@ impl<O: Observer> Run<'_, O> {
         Ok(())
     }
 
-    /// Copies the arguments of an Add-On call in or out: reads all sources, then writes.
-    pub(super) fn pass_arguments(&mut self, arguments: Range, inward: bool) -> Result<(), FaultCode> {
+    /// Copies the arguments of Input parameters of an Add-On call in: reads all, then writes.
+    pub(super) fn copy_in(&mut self, arguments: Range) -> Result<(), FaultCode> {
         let program = self.program;
         let arguments = arguments.of(&program.arguments);
-        let operand = |index: u32| program.operands.get(index as usize).copied().unwrap_or(Operand::Nothing);
         for (index, argument) in arguments.iter().enumerate() {
-            let (from, to) =
-                if inward { (argument.outside, argument.inside) } else { (argument.inside, argument.outside) };
-            let value = self.number(operand(from))?;
-            let slot = self.slot(operand(to))?;
+            let value = self.number(program.operand_at(argument.outside))?;
+            let slot = self.slot(program.operand_at(argument.inside))?;
             if let (Some(number), Some(kept)) = (self.machine.numbers.get_mut(index), self.machine.slots.get_mut(index))
             {
                 *number = value;
@@ -183,6 +180,20 @@ impl<O: Observer> Run<'_, O> {
             }
         }
         self.hand_over(arguments.len() as u32);
+        Ok(())
+    }
+
+    /// Copies the arguments of Output parameters of an Add-On call out, one after the other: what one writes may select
+    /// the element of the next (REQ-EXEC-030).
+    pub(super) fn copy_out(&mut self, arguments: Range) -> Result<(), FaultCode> {
+        let program = self.program;
+        for argument in arguments.of(&program.arguments) {
+            let value = self.number(program.operand_at(argument.inside))?;
+            let slot = self.slot(program.operand_at(argument.outside))?;
+            if self.store(slot, value).1 {
+                self.overflow();
+            }
+        }
         Ok(())
     }
 }

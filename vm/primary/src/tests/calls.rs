@@ -1,9 +1,11 @@
-//! Subscripts in the arguments of JSR and of Add-On calls. REQ-EXEC-004, 023, 030, 032.
+//! Subscripts in the arguments of JSR and of Add-On calls, and calls on a rung on which a fault was cleared. REQ-EXEC-004,
+//! 023, 030, 032, 051.
 
 use twinrung_bytecode::channel::ScanEnd;
 use twinrung_bytecode::image::Usage;
 
 use super::assembler::Assembler;
+use super::flow::with_record;
 use super::rig::Rig;
 
 fn code(end: ScanEnd) -> u16 {
@@ -168,4 +170,70 @@ fn subroutine_when_an_sbr_operand_is_the_subscript_of_another_then_that_is_evalu
     rig.set("x", 9);
     assert_eq!(code(rig.scan()), 0);
     assert_eq!(rig.all("i out[2] ran"), [9, 9, 2]);
+}
+
+fn split() -> Rig {
+    let mut assembler = Assembler::new();
+    let parameters = [("Low", "DINT", Usage::Output), ("High", "DINT", Usage::Output), ("In", "DINT", Usage::Input)];
+    assembler.add_on(
+        "Split",
+        &parameters,
+        &[],
+        [&["MOV(In,Low)ADD(In,100,High)"], &["MOV(In,Low)ADD(In,200,High)"], &[]],
+    );
+    assembler.tags("i from DINT; out DINT[4]; s Split");
+    assembler.main(&["Split(s,i,out[i],from)"]);
+    Rig::of(assembler)
+}
+
+#[test]
+fn add_on_when_an_output_is_the_subscript_of_a_later_one_then_that_is_evaluated_after_it_is_written() {
+    let mut rig = split();
+    rig.set("from", 3);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("i out[0] out[3]"), [3, 0, 103]);
+    rig.set("from", 2);
+    assert_eq!(code(rig.prescan()), 0);
+    assert_eq!(rig.all("i out[2] out[3]"), [2, 202, 103]);
+}
+
+#[test]
+fn add_on_when_an_output_moves_a_later_subscript_out_of_range_then_faults_and_what_is_written_stays() {
+    let mut rig = split();
+    rig.set("from", 4);
+    assert_eq!(code(rig.scan()), 20);
+    assert_eq!(rig.all("i out[0] s.High s.EnableOut"), [4, 0, 104, 1]);
+}
+
+/// A rung on which a fault is cleared, a call that makes EnableOut true when false, and a rung behind it.
+fn cleared(rung: &str) -> Rig {
+    let mut assembler = Assembler::new();
+    with_record(&mut assembler);
+    assembler.add_on("Own", &[("Out", "DINT", Usage::Output)], &[], [&["MOV(1,Out)"], &[], &["OTE(EnableOut)"]]);
+    assembler.tags("fault storage after next BOOL; i x DINT; out DINT[2]; s Own");
+    assembler.fault(&["SSV(PROGRAM,THIS,0,zero[0])"]);
+    assembler.main(&[rung, "AFI()Own(s,x)OTE(next)"]);
+    let mut rig = Rig::of(assembler);
+    rig.set("i", 2);
+    rig
+}
+
+#[test]
+fn enable_out_when_a_fault_was_cleared_on_its_rung_then_does_not_make_it_true_again() {
+    let mut rig = cleared("[MOV(1,out[i]) , ,[Own(s,x)ONS(storage) ,]]OTE(after)");
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.status().cleared_faults, 1);
+    assert_eq!(rig.all("storage after next s.EnableIn s.EnableOut"), [0, 0, 1, 0, 1]);
+    rig.set("i", 0);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.all("storage after"), [1, 1]);
+}
+
+#[test]
+fn enable_out_when_the_fault_was_in_its_own_outputs_then_the_rung_stays_false() {
+    let mut rig = cleared("Own(s,out[i])Own(s,x)OTE(after)");
+    rig.set("after", 1);
+    assert_eq!(code(rig.scan()), 0);
+    assert_eq!(rig.status().cleared_faults, 1);
+    assert_eq!(rig.all("after next s.EnableOut"), [0, 1, 1]);
 }
