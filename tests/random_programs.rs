@@ -1,0 +1,35 @@
+//! Random valid programs over the whole base instruction set run on primary, partner and judge, compared after every scan.
+//!
+//! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --seed 1 --minutes 10`.
+
+use twinrung_catalog::Opcode;
+use twinrung_trio::Campaign;
+use twinrung_trio::generate::{self, Size};
+
+#[test]
+fn evaluators_when_300_random_programs_run_60_scans_then_they_agree_in_every_value() {
+    let mut campaign = Campaign::default();
+    (0..300).for_each(|seed| campaign.run(seed, Size::SMALL, 60));
+    println!("{campaign}");
+    assert!(campaign.failures.is_empty(), "{campaign}\n{}", campaign.failures.join("\n\n"));
+    assert!(campaign.refused * 20 < campaign.programs, "more than 5 % are refused: {:?}", campaign.reasons);
+    assert!(campaign.total.faulted * 2 < campaign.total.scans, "faults end most scans: {campaign}");
+}
+
+#[test]
+fn generator_when_asked_for_many_programs_then_every_base_instruction_occurs() {
+    let texts: Vec<String> = (0..60).map(|seed| generate::program(seed, Size::LARGE).text).collect();
+    let base = Opcode::ALL.iter().map(|opcode| opcode.instruction()).filter(|one| !one.group.is_safety_library());
+    let missing: Vec<&str> = base
+        .map(|one| one.mnemonic)
+        .filter(|mnemonic| !texts.iter().any(|text| text.contains(&format!("{mnemonic}("))))
+        .collect();
+    assert_eq!(missing, Vec::<&str>::new());
+}
+
+#[test]
+fn generator_when_given_one_seed_twice_then_program_and_stimulus_are_the_same() {
+    let (first, second) = (generate::program(7, Size::SMALL), generate::program(7, Size::SMALL));
+    assert_eq!(first, second);
+    assert_eq!(generate::stimulus(7, &first, 20).steps.len(), generate::stimulus(7, &second, 20).steps.len());
+}
