@@ -142,7 +142,7 @@ fn shown<'f>(export: &'f File, base: &str) -> Option<&'f ModuleTag> {
     tags_of(module).into_iter().find(|(one, _)| one.eq_ignore_ascii_case(suffix)).map(|(_, tag)| tag)
 }
 
-fn structure(data: &Vec<Data>) -> Option<&Value> {
+fn structure(data: &[Data]) -> Option<&Value> {
     data.iter().map(|data| &data.value).find(|value| matches!(value, Value::Structure { .. }))
 }
 
