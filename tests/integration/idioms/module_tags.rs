@@ -109,7 +109,7 @@ impl<'f> ModuleTags<'f> {
             let of_modules = self.export.modules.iter().flat_map(tags_of).map(|(_, tag)| &tag.data);
             let of_tags = self.export.tags.iter().map(|tag| &tag.data);
             let of_type = |value: &&Value| matches!(value, Value::Structure { data_type, .. } if data_type == wanted);
-            if let Some(value) = of_modules.chain(of_tags).filter_map(structure).find(of_type) {
+            if let Some(value) = of_modules.chain(of_tags).filter_map(|data| structure(data)).find(of_type) {
                 type_of_value(value, &mut types);
             }
         }
