@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use twinrung_bytecode::{AdmittedImage, ImageError, admit};
+use twinrung_bytecode::{AdmittedImage, ImageError, admit, bound};
 use twinrung_compiler::diagnostic::Finding;
 use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
 use twinrung_grammar::read_path;
@@ -43,6 +43,8 @@ pub enum InputError {
     Image(PathBuf, ImageError),
     /// A checked project that does not compile: a defect of ours.
     Defect(String),
+    /// A scan of the image can execute more than its watchdog allows.
+    Bound(bound::BeyondBudget),
     /// The image's signature is not the one that was expected.
     Unexpected {
         /// What was expected.
@@ -61,6 +63,7 @@ impl fmt::Display for InputError {
             }
             InputError::Image(path, error) => write!(f, "{}: the image is refused: {error}", path.display()),
             InputError::Defect(message) => write!(f, "a defect of this tool: {message}"),
+            InputError::Bound(error) => write!(f, "{error}"),
             InputError::Unexpected { expected, found } => {
                 write!(f, "expected the signature {expected}, found {found}: nothing was run")
             }
@@ -158,6 +161,14 @@ fn is_image(path: &Path) -> Result<bool, InputError> {
     Ok(begin == IMAGE_MAGIC)
 }
 
+/// Checks a project whose text is at hand.
+pub fn read_text(name: &Path, text: &str) -> Read {
+    let mut sources = Sources::new();
+    let reading = twinrung_grammar::read(&mut sources, name, text.as_bytes().to_vec());
+    let checked = check(&reading, &Completion::default());
+    Read { sources, findings: checked.findings, project: checked.project }
+}
+
 /// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
 pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
     let compiled = compile(project).map_err(|finding| InputError::Defect(finding.message))?;
@@ -165,6 +176,11 @@ pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), Inp
         admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
     let bytes = compiled.bytes.clone();
     Ok((compiled, Loaded { image, bytes }))
+}
+
+/// Refuses an image whose bound in instructions is above the budget of its watchdog (REQ-BOUND-007).
+pub fn require_bound(loaded: &Loaded) -> Result<u64, InputError> {
+    bound::check(&loaded.image).map_err(InputError::Bound)
 }
 
 /// Refuses an image whose application signature is not the expected one, in its short or its long form.

@@ -37,6 +37,8 @@ enum Verb {
     Build(verb::build::Build),
     /// Run scans on both interpreters and record what happened
     Run(verb::run::Run),
+    /// Measure the scan time against period and watchdog
+    Bench(verb::bench::Bench),
     /// Show an image: signatures, sections, layout, neutral text
     Show(verb::show::Show),
     /// Say what differs between two projects or images
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Verb::Check(arguments) => verb::check::run(&arguments),
         Verb::Build(arguments) => verb::build::run(&arguments),
         Verb::Run(arguments) => verb::run::run(&arguments),
+        Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Show(arguments) => verb::show::run(&arguments),
         Verb::Diff(arguments) => verb::diff::run(&arguments),
         Verb::Fmt(arguments) => verb::fmt::run(&arguments),

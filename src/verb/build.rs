@@ -24,6 +24,9 @@ pub struct Build {
     /// Where to write the image; without it nothing is written
     #[arg(short, long, value_name = "IMAGE")]
     output: Option<PathBuf>,
+    /// Refuse an image whose bound in instructions is above the budget of its watchdog
+    #[arg(long)]
+    require_bound: bool,
     #[command(flatten)]
     complete: Complete,
 }
@@ -45,6 +48,10 @@ pub fn run(arguments: &Build) -> io::Result<ExitCode> {
         return Ok(ExitCode::from(1));
     };
     let (compiled, loaded) = input::compiled(project).map_err(failed)?;
+    if let (true, Err(error)) = (arguments.require_bound, input::require_bound(&loaded)) {
+        writeln!(out, "{}: {error}; no image is written", arguments.file.display())?;
+        return Ok(ExitCode::from(1));
+    }
     if let Some(path) = &arguments.output {
         files::write_whole(path, &compiled.bytes)?;
         writeln!(

@@ -1,5 +1,6 @@
 //! One file for each verb: arguments in, text out.
 
+pub mod bench;
 pub mod build;
 pub mod check;
 pub mod diff;

@@ -48,6 +48,9 @@ pub struct Run {
     /// Refuse to run a program with another safety application signature
     #[arg(long, value_name = "SIGNATURE")]
     expect: Option<String>,
+    /// Refuse an image whose bound in instructions is above the budget of its watchdog
+    #[arg(long)]
+    require_bound: bool,
     /// Draw no timing diagram
     #[arg(long)]
     quiet: bool,
@@ -71,6 +74,10 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
     let terminal = Terminal::of_stdout();
     let Some(loaded) = loaded(arguments, terminal)? else { return Ok(ExitCode::from(REFUSED)) };
     input::expect(&loaded, arguments.expect.as_deref()).map_err(failed)?;
+    if let (true, Err(error)) = (arguments.require_bound, input::require_bound(&loaded)) {
+        println!("{error}; nothing was run");
+        return Ok(ExitCode::from(REFUSED));
+    }
     let stimulus = stimulus(arguments)?;
     let beside = arguments.file.join("record.txt");
     let names = match &arguments.record {

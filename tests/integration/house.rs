@@ -44,6 +44,18 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         ],
         &[],
     ),
+    (
+        "twinrung-benches",
+        &[
+            "twinrung-bytecode",
+            "twinrung-catalog",
+            "twinrung-compiler",
+            "twinrung-controller",
+            "twinrung-grammar",
+            "twinrung-workbench",
+        ],
+        &[],
+    ),
 ];
 
 fn root() -> PathBuf {

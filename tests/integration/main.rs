@@ -1,6 +1,8 @@
 //! Tests of the whole: from files to recordings, through every crate. One binary, since linking is what takes time.
 
+mod bench;
 mod bench_mixes;
+mod bound;
 mod corpus;
 mod freestanding;
 mod house;

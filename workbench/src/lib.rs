@@ -5,7 +5,11 @@
 
 #![forbid(unsafe_code)]
 
+pub mod bench;
 pub mod diagram;
+pub mod drive;
+pub mod instruction_rungs;
+pub mod mix;
 pub mod names;
 pub mod recording;
 pub mod run;

@@ -3,15 +3,14 @@
 use std::fmt;
 
 use twinrung_bytecode::AdmittedImage;
-use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::Channel;
-use twinrung_bytecode::index::{BitCell, TagIndex, WordCell};
-use twinrung_catalog::Element;
+use twinrung_bytecode::index::TagIndex;
 use twinrung_controller::{Controller, StopReason};
 
+use crate::drive::{Drive, cells};
 use crate::names;
 use crate::recording::{Recording, Row};
-use crate::signal::{Signal, SignalError, parse_value};
+use crate::signal::{Signal, SignalError};
 use crate::stimulus::Stimulus;
 
 /// Why a run cannot begin.
@@ -56,20 +55,6 @@ impl From<SignalError> for RunError {
     }
 }
 
-/// What a stimulus does, with names and values looked up.
-#[derive(Debug, Clone, Default)]
-struct Drive {
-    rows: Vec<(u64, Vec<Driven>)>,
-    next: usize,
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Driven {
-    Bit(BitCell, bool),
-    Word(WordCell, i32),
-    WordBit(WordCell, u8, bool),
-}
-
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
@@ -85,7 +70,6 @@ pub struct Outcome {
 pub struct Run<A: Channel, B: Channel> {
     controller: Controller<A, B>,
     drive: Drive,
-    words: std::collections::HashMap<WordCell, i32>,
     signals: Vec<Signal>,
     recording: Recording,
     period_ms: u64,
@@ -104,7 +88,6 @@ impl<A: Channel, B: Channel> Run<A, B> {
         Ok(Run {
             controller,
             drive: Drive::default(),
-            words: std::collections::HashMap::new(),
             signals: Vec::new(),
             recording: Recording::default(),
             period_ms: u64::from(period_us / 1000),
@@ -124,35 +107,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
 
     /// Takes on a stimulus.
     pub fn stimulate(&mut self, stimulus: &Stimulus) -> Result<(), RunError> {
-        let image = self.controller.image();
-        let signals: Vec<Signal> =
-            stimulus.tags.iter().map(|tag| names::driven(image, tag)).collect::<Result<_, _>>()?;
-        let mut rows = Vec::with_capacity(stimulus.rows.len());
-        for row in &stimulus.rows {
-            let mut driven = Vec::new();
-            for ((signal, cell), name) in signals.iter().zip(&row.cells).zip(&stimulus.tags) {
-                let Some(text) = cell else { continue };
-                let element = if let Signal::Word(_, element) = signal { *element } else { Element::Bool };
-                let value =
-                    parse_value(name, text, element).map_err(|error| RunError::Cell { line: row.line, error })?;
-                driven.push(match *signal {
-                    Signal::Bit(cell) => Driven::Bit(cell, value == 1),
-                    Signal::Word(cell, _) => Driven::Word(cell, value),
-                    Signal::WordBit(cell, bit) => Driven::WordBit(cell, bit, value == 1),
-                    _ => return Err(SignalError::NotDriven { name: name.clone() }.into()),
-                });
-            }
-            rows.push((row.time_ms, driven));
-        }
-        for signal in signals {
-            let range = match signal {
-                Signal::Bit(cell) => range(cell.0, 1, 0, 0),
-                Signal::Word(cell, _) | Signal::WordBit(cell, _) => range(0, 0, cell.0, 1),
-                _ => continue,
-            };
-            self.controller.freeze_also(range);
-        }
-        self.drive = Drive { rows, next: 0 };
+        self.drive = Drive::new(&mut self.controller, stimulus)?;
         Ok(())
     }
 
@@ -168,12 +123,9 @@ impl<A: Channel, B: Channel> Run<A, B> {
     pub fn publish_also(&mut self, names: &[String]) -> Result<(), RunError> {
         for name in names {
             let signal = names::signal(self.controller.image(), name)?;
-            let range = match signal {
-                Signal::Bit(cell) => range(cell.0, 1, 0, 0),
-                Signal::Word(cell, _) | Signal::WordBit(cell, _) => range(0, 0, cell.0, 1),
-                _ => continue,
-            };
-            self.controller.publish_also(range);
+            if let Some(range) = cells(signal) {
+                self.controller.publish_also(range);
+            }
         }
         Ok(())
     }
@@ -183,7 +135,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
     pub fn until(&mut self, until_ms: u64, mut progress: impl FnMut(u64)) -> Outcome {
         let mut time_ms = self.outcome.scans * self.period_ms;
         while time_ms <= until_ms {
-            self.drive_until(time_ms);
+            self.drive.until(&mut self.controller, time_ms);
             let report = self.controller.scan(time_ms as i64);
             if let (Some(reason), None) = (report.stopped, self.outcome.stopped) {
                 self.outcome.stopped = Some((self.outcome.scans, time_ms, reason));
@@ -204,35 +156,6 @@ impl<A: Channel, B: Channel> Run<A, B> {
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
-
-    fn drive_until(&mut self, time_ms: u64) {
-        while let Some((at, driven)) = self.drive.rows.get(self.drive.next) {
-            if *at > time_ms {
-                break;
-            }
-            for change in driven {
-                match *change {
-                    Driven::Bit(cell, value) => self.controller.drive_bit(cell, value),
-                    Driven::Word(cell, value) => {
-                        self.words.insert(cell, value);
-                        self.controller.drive_word(cell, value);
-                    }
-                    Driven::WordBit(cell, bit, value) => {
-                        let initial = self.controller.word(cell).unwrap_or_default();
-                        let word = self.words.entry(cell).or_insert(initial);
-                        *word = if value { *word | (1 << bit) } else { *word & !(1 << bit) };
-                        self.controller.drive_word(cell, *word);
-                    }
-                }
-            }
-            self.drive.next += 1;
-        }
-    }
-}
-
-fn range(bit_cell: u32, bit_cells: u32, word_cell: u32, word_cells: u32) -> CellRange {
-    // Freezing and publishing go by cells; which tag they are of makes no difference there.
-    CellRange { tag: TagIndex(u32::MAX), bit_cell, bit_cells, word_cell, word_cells }
 }
 
 /// What is recorded when nobody says: what the stimulus drives, then what is published, then the outputs and codes of safety

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use crate::image::Image;
-use crate::index::{RoutineIndex, TagIndex};
+use crate::index::{RoutineIndex, TagIndex, WordCell};
 use crate::layout::TypeLayout;
 use crate::signature::Signatures;
 
@@ -33,6 +33,7 @@ pub struct AdmittedImage {
     pub(crate) published: Vec<CellRange>,
     pub(crate) frozen: Vec<CellRange>,
     pub(crate) writes: CellSet,
+    pub(crate) written_by_others: Vec<bool>,
 }
 
 impl AdmittedImage {
@@ -85,6 +86,14 @@ impl AdmittedImage {
     pub fn program_writes(&self) -> &CellSet {
         &self.writes
     }
+
+    /// Whether a word keeps its initial value: no input is copied to it, and logic does not write it. FAL, FSC and RES of a
+    /// CONTROL are not counted as writing its LEN, which they leave as it is (general-instructions.md A.6).
+    pub fn is_constant_word(&self, cell: WordCell) -> bool {
+        let copied =
+            |range: &CellRange| cell.0.checked_sub(range.word_cell).is_some_and(|offset| offset < range.word_cells);
+        self.written_by_others.get(cell.position()) == Some(&false) && !self.frozen.iter().any(copied)
+    }
 }
 
 /// A set of cells.
@@ -101,7 +110,7 @@ impl CellSet {
     }
 
     /// Whether a word cell is in the set.
-    pub fn has_word(&self, cell: crate::index::WordCell) -> bool {
+    pub fn has_word(&self, cell: WordCell) -> bool {
         self.words.get(cell.position()).copied().unwrap_or(false)
     }
 }

@@ -5,6 +5,7 @@
 //! - [`limits`] holds every bound, with its reason;
 //! - [`container`] is the file, [`signature`] what is signed and how, [`text`] the canonical text of every record;
 //! - [`verify`] trusts nobody: it alone makes an [`AdmittedImage`], and [`error`] has one variant for each of its rules;
+//! - [`mod@bound`] says how much one scan can execute at most, from the code alone;
 //! - [`channel`] and [`observer`] are what the two interpreters have in common: an interface, and nothing that computes.
 //!
 //! This crate reads the catalog and nothing else of this project. It executes nothing.
@@ -25,6 +26,7 @@
 extern crate alloc;
 
 pub mod admitted;
+pub mod bound;
 pub mod channel;
 pub mod code;
 pub mod container;

@@ -23,6 +23,8 @@ pub(super) struct Code {
     pub(super) rungs: Vec<u32>,
     /// Cells that programs write.
     pub(super) writes: CellSet,
+    /// Words that programs write other than through the CONTROL operand of a file instruction.
+    pub(super) written_by_others: Vec<bool>,
 }
 
 pub(super) fn check_code(tables: &Tables<'_>, entries: &Entries) -> Result<Code, ImageError> {
@@ -68,8 +70,8 @@ pub(super) fn check_code(tables: &Tables<'_>, entries: &Entries) -> Result<Code,
         return Err(ImageError::ExpandedLength);
     }
     calls.check(image)?;
-    let writes = state.writes(image.initial_bits.len(), image.initial_words.len());
-    Ok(Code { rungs, writes })
+    let (writes, written_by_others) = state.writes(image.initial_bits.len(), image.initial_words.len());
+    Ok(Code { rungs, writes, written_by_others })
 }
 
 /// Rungs, branches and legs begin and end in turn, within their bounds. Answers with the number of rungs.

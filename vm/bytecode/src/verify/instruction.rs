@@ -205,16 +205,20 @@ impl Check<'_, '_> {
             (OperandKind::Structure(predefined, access), Fact::Reference(place))
                 if self.is_structure(&place, predefined) =>
             {
-                if access.writes() {
-                    self.write(&place, 1)
-                } else {
-                    Ok(())
+                match (access.writes(), predefined == &CONTROL) {
+                    (true, true) => self.state.write_control(self.tables, at, &place),
+                    (true, false) => self.write(&place, 1),
+                    (false, _) => Ok(()),
                 }
             }
             (OperandKind::Resettable, Fact::Reference(place))
                 if [&TIMER, &COUNTER, &CONTROL].iter().any(|known| self.is_structure(&place, known)) =>
             {
-                self.write(&place, 1)
+                if self.is_structure(&place, &CONTROL) {
+                    self.state.write_control(self.tables, at, &place)
+                } else {
+                    self.write(&place, 1)
+                }
             }
             (OperandKind::Pseudo(_), Fact::Unassigned | Fact::Integer(_)) => Ok(()),
             // Copies write as many elements as their length says: with their own checks.

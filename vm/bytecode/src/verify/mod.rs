@@ -91,7 +91,7 @@ fn verify(read: ReadImage, library: bool) -> Result<AdmittedImage, ImageError> {
         return Err(ImageError::ApplicationSignature);
     }
     let entries = operands::check_operands(&tables, &aliases)?;
-    let code::Code { rungs, writes } = code::check_code(&tables, &entries)?;
+    let code::Code { rungs, writes, written_by_others } = code::check_code(&tables, &entries)?;
     let (published, frozen) = connections::connections(&image, &layouts);
-    Ok(AdmittedImage { image, layouts, signatures: carried, rungs, published, frozen, writes })
+    Ok(AdmittedImage { image, layouts, signatures: carried, rungs, published, frozen, writes, written_by_others })
 }

@@ -63,11 +63,20 @@ pub(super) struct State {
     uses: usize,
     bits: Vec<(u32, u32)>,
     words: Vec<(u32, u32)>,
+    /// Words of CONTROL structures that file instructions work with.
+    control_words: Vec<(u32, u32)>,
 }
 
 impl State {
     pub(super) fn new() -> State {
-        State { summaries: Vec::new(), current: Summary::default(), uses: 0, bits: Vec::new(), words: Vec::new() }
+        State {
+            summaries: Vec::new(),
+            current: Summary::default(),
+            uses: 0,
+            bits: Vec::new(),
+            words: Vec::new(),
+            control_words: Vec::new(),
+        }
     }
 
     /// Logic writes `elements` elements from a place on.
@@ -118,6 +127,14 @@ impl State {
         if words > 0 {
             self.words.push(range(place.word_cell, place.word_span, words));
         }
+        Ok(())
+    }
+
+    /// FAL, FSC or RES works with a structure: of a CONTROL it changes POS and the bits, and never LEN.
+    pub(super) fn write_control(&mut self, tables: &Tables<'_>, at: Site, place: &Place) -> Result<(), ImageError> {
+        let before = self.words.len();
+        self.write(tables, at, place, 1)?;
+        self.control_words.append(&mut self.words.split_off(before));
         Ok(())
     }
 
@@ -176,9 +193,11 @@ impl State {
         Ok(())
     }
 
-    /// The cells that programs write.
-    pub(super) fn writes(self, bit_cells: usize, word_cells: usize) -> CellSet {
-        CellSet { bits: marked(self.bits, bit_cells), words: marked(self.words, word_cells) }
+    /// The cells that programs write, and the words among them that are written other than by [`State::write_control`].
+    pub(super) fn writes(mut self, bit_cells: usize, word_cells: usize) -> (CellSet, Vec<bool>) {
+        let by_others = marked(self.words.clone(), word_cells);
+        self.words.append(&mut self.control_words);
+        (CellSet { bits: marked(self.bits, bit_cells), words: marked(self.words, word_cells) }, by_others)
     }
 }
 

@@ -1,0 +1,49 @@
+//! What to measure.
+
+use twinrung_benches::Result;
+
+/// The command line.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// Paired runs of each comparison.
+    pub pairs: usize,
+    /// Seeds of the plant mix; the simple mix takes the first.
+    pub seeds: Vec<u64>,
+    /// Sizes that are compared with C.
+    pub rungs: Vec<usize>,
+    /// The size that shows how costs grow.
+    pub large: usize,
+    /// Scans of a run.
+    pub scans: u64,
+}
+
+impl Options {
+    /// Reads `--name value` pairs.
+    pub fn read(arguments: &[String]) -> Result<Options> {
+        let mut options =
+            Options { pairs: 7, seeds: vec![1, 2, 3], rungs: vec![1000, 10_000], large: 100_000, scans: 300 };
+        let mut rest = arguments.iter();
+        while let Some(name) = rest.next() {
+            let value = rest.next().ok_or_else(|| format!("{name} needs a value"))?;
+            match name.as_str() {
+                "--pairs" => options.pairs = value.parse()?,
+                "--seeds" => options.seeds = list(value)?,
+                "--rungs" => options.rungs = list(value)?,
+                "--large" => options.large = value.parse()?,
+                "--scans" => options.scans = value.parse()?,
+                _ => return Err(format!("no option {name}").into()),
+            }
+        }
+        if options.pairs == 0 || options.scans == 0 || options.seeds.is_empty() || options.rungs.is_empty() {
+            return Err("pairs, scans, seeds and rungs are at least one each".into());
+        }
+        Ok(options)
+    }
+}
+
+fn list<T: std::str::FromStr>(text: &str) -> Result<Vec<T>>
+where
+    T::Err: std::error::Error + 'static,
+{
+    Ok(text.split(',').map(str::parse).collect::<std::result::Result<_, _>>()?)
+}

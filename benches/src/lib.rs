@@ -1,0 +1,132 @@
+//! What the benchmarks share: projects compiled and loaded, scans whose parts are timed.
+//!
+//! It may depend on everything that a user's command depends on. It never asserts a time: it prints them.
+
+#![forbid(unsafe_code)]
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use twinrung_bytecode::observer::Silent;
+use twinrung_bytecode::{AdmittedImage, admit};
+use twinrung_compiler::{CheckedProject, Completion, check, compile};
+use twinrung_controller::{DualController, Part, ScanClock};
+use twinrung_grammar::tree::Sources;
+use twinrung_workbench::mix::{PERIOD_MS, Toggles, hash};
+
+/// What goes wrong in a benchmark, in words.
+pub type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
+
+/// Checks source text.
+pub fn checked(name: &str, text: &str) -> Result<CheckedProject> {
+    let mut sources = Sources::new();
+    let reading = twinrung_grammar::read(&mut sources, name, text.as_bytes().to_vec());
+    project(check(&reading, &Completion::default()))
+}
+
+/// Checks a file or a folder.
+pub fn checked_path(path: &Path) -> Result<CheckedProject> {
+    let mut sources = Sources::new();
+    project(check(&twinrung_grammar::read_path(&mut sources, path), &Completion::default()))
+}
+
+fn project(checked: twinrung_compiler::Checked) -> Result<CheckedProject> {
+    let first = checked.findings.into_iter().find(|finding| finding.is_error());
+    checked.project.ok_or_else(|| first.map_or_else(|| "refused".to_owned(), |finding| finding.message).into())
+}
+
+/// The sealed bytes of a project, and the image that a loader makes of them.
+pub fn image(project: &CheckedProject) -> Result<(AdmittedImage, Vec<u8>)> {
+    let bytes = compile(project).map_err(|finding| finding.message)?.bytes;
+    Ok((admit(&bytes)?, bytes))
+}
+
+/// A controller in Run with an image.
+pub fn controller(image: &AdmittedImage, bytes: &[u8]) -> Result<DualController> {
+    let mut controller = DualController::load(image.clone(), bytes).map_err(|error| error.to_string())?;
+    controller.power_up_in_run();
+    Ok(controller)
+}
+
+/// How the inputs of a mix move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Inputs {
+    /// So many toggles before each scan.
+    Toggled(usize),
+    /// Every input drawn anew before each scan.
+    Redrawn,
+}
+
+/// Medians of a run in ns, and the state that it ended with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Timing {
+    /// The whole scan: freeze, both channels, comparison, publish.
+    pub scan_ns: u64,
+    /// Its parts, in the order of [`Part::ALL`].
+    pub parts_ns: [u64; 5],
+    /// The state after the last scan.
+    pub hash: u64,
+}
+
+/// Runs a generated program.
+pub fn timed(image: &AdmittedImage, bytes: &[u8], scans: u64, inputs: Inputs) -> Result<Timing> {
+    let mut controller = controller(image, bytes)?;
+    let each_scan = if let Inputs::Toggled(count) = inputs { count } else { 0 };
+    let mut toggles = Toggles::new(&mut controller, each_scan).ok_or("not a generated program")?;
+    let mut clock = PartClock::default();
+    let mut times: [Vec<u64>; 6] = Default::default();
+    for scan in 0..scans {
+        match inputs {
+            Inputs::Toggled(_) => toggles.before(&mut controller),
+            Inputs::Redrawn => toggles.redraw(&mut controller),
+        }
+        let now_ms = (scan * PERIOD_MS) as i64;
+        let report = controller.scan_observed(now_ms, &mut clock, &mut Silent, &mut Silent);
+        if let Some(reason) = report.stopped {
+            return Err(format!("stopped in scan {scan}: {reason:?}").into());
+        }
+        let parts = clock.parts();
+        times[5].push(parts.iter().sum::<Duration>().as_nanos() as u64);
+        parts.iter().zip(&mut times).for_each(|(part, times)| times.push(part.as_nanos() as u64));
+    }
+    let [freeze, primary, partner, compare, publish, scan] = times.map(median);
+    Ok(Timing { scan_ns: scan, parts_ns: [freeze, primary, partner, compare, publish], hash: hash(&controller) })
+}
+
+/// The median of some numbers; the lesser of the middle two is not averaged with the greater.
+pub fn median<T: PartialOrd + Copy + Default>(mut values: Vec<T>) -> T {
+    values.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    values.get(values.len() / 2).copied().unwrap_or_default()
+}
+
+/// Takes the time at the end of each part.
+#[derive(Debug, Clone, Copy)]
+pub struct PartClock([Instant; 6]);
+
+impl Default for PartClock {
+    fn default() -> PartClock {
+        PartClock([Instant::now(); 6])
+    }
+}
+
+impl PartClock {
+    /// The parts of the last scan, in the order of [`Part::ALL`].
+    pub fn parts(&self) -> [Duration; 5] {
+        let [begun, freeze, primary, partner, compare, publish] = self.0;
+        [freeze - begun, primary - freeze, partner - primary, compare - partner, publish - compare]
+    }
+}
+
+impl ScanClock for PartClock {
+    fn begin(&mut self) {
+        self.0[0] = Instant::now();
+    }
+
+    fn ended(&mut self, part: Part) {
+        self.0[part as usize + 1] = Instant::now();
+    }
+
+    fn expired(&mut self) -> bool {
+        false
+    }
+}

@@ -1,0 +1,125 @@
+//! Times as a distribution.
+
+use std::time::Duration;
+
+use hdrhistogram::{CreationError, Histogram};
+use serde::Serialize;
+
+/// A distribution of times in ns, exact to three digits; least and greatest are exact.
+#[derive(Debug, Clone)]
+pub struct Distribution {
+    histogram: Histogram<u64>,
+    least: u64,
+    greatest: u64,
+}
+
+/// What a distribution amounts to, in ns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Quantiles {
+    /// Half of the scans took no longer.
+    pub p50: u64,
+    /// 99 in 100.
+    pub p99: u64,
+    /// 999 in 1,000.
+    pub p999: u64,
+    /// All.
+    pub max: u64,
+}
+
+/// Some of the scans: those that took between two times.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Bucket {
+    /// From this time on, in ns.
+    pub from_ns: u64,
+    /// To below this one, in ns.
+    pub to_ns: u64,
+    /// So many.
+    pub scans: u64,
+}
+
+/// The longest time that is told from longer ones: an hour.
+const LONGEST_NS: u64 = 3_600_000_000_000;
+/// Digits that are kept of a time.
+const DIGITS: u8 = 3;
+
+impl Distribution {
+    /// Nothing recorded yet.
+    ///
+    /// # Errors
+    ///
+    /// None with these bounds; the histogram's own word for it.
+    pub fn new() -> Result<Distribution, CreationError> {
+        let histogram = Histogram::new_with_bounds(1, LONGEST_NS, DIGITS)?;
+        Ok(Distribution { histogram, least: u64::MAX, greatest: 0 })
+    }
+
+    /// Records one time.
+    pub fn record(&mut self, time: Duration) {
+        let ns = u64::try_from(time.as_nanos()).unwrap_or(u64::MAX);
+        self.least = self.least.min(ns);
+        self.greatest = self.greatest.max(ns);
+        self.histogram.saturating_record(ns.max(1));
+    }
+
+    /// How many were recorded.
+    pub fn count(&self) -> u64 {
+        self.histogram.len()
+    }
+
+    /// Its quantiles; zeros when nothing was recorded.
+    pub fn quantiles(&self) -> Quantiles {
+        let at = |quantile| self.histogram.value_at_quantile(quantile).min(self.greatest);
+        Quantiles { p50: at(0.5), p99: at(0.99), p999: at(0.999), max: self.greatest }
+    }
+
+    /// The distribution in at most `most` buckets, each wider than the one before by the same factor.
+    pub fn buckets(&self, most: usize) -> Vec<Bucket> {
+        if self.count() == 0 || most == 0 {
+            return Vec::new();
+        }
+        let (least, greatest) = (self.least.max(1) as f64, self.greatest.max(1) as f64 + 1.0);
+        let factor = (greatest / least).powf(1.0 / most as f64);
+        let edge = |index: usize| (least * factor.powi(index as i32)).round() as u64;
+        let mut buckets: Vec<Bucket> = (0..most)
+            .map(|index| Bucket { from_ns: edge(index), to_ns: edge(index + 1), scans: 0 })
+            .filter(|bucket| bucket.to_ns > bucket.from_ns)
+            .collect();
+        for recorded in self.histogram.iter_recorded() {
+            let ns = recorded.value_iterated_to();
+            let at = buckets.partition_point(|bucket| bucket.to_ns <= ns).min(buckets.len().saturating_sub(1));
+            if let Some(bucket) = buckets.get_mut(at) {
+                bucket.scans += recorded.count_since_last_iteration();
+            }
+        }
+        buckets
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(times_ns: impl Iterator<Item = u64>) -> Distribution {
+        let mut distribution = Distribution::new().unwrap();
+        times_ns.for_each(|ns| distribution.record(Duration::from_nanos(ns)));
+        distribution
+    }
+
+    #[test]
+    fn quantiles_when_the_times_are_1_to_1000_then_they_are_those_of_the_ranks() {
+        let quantiles = of(1..=1000).quantiles();
+        assert_eq!((quantiles.p50, quantiles.p99, quantiles.p999, quantiles.max), (500, 990, 999, 1000));
+    }
+
+    #[test]
+    fn quantiles_when_nothing_was_recorded_then_they_are_zero() {
+        assert_eq!(of(std::iter::empty()).quantiles(), Quantiles { p50: 0, p99: 0, p999: 0, max: 0 });
+    }
+
+    #[test]
+    fn buckets_when_summed_then_every_time_is_in_one() {
+        let buckets = of((1..=500).map(|step| step * 1234)).buckets(20);
+        assert_eq!(buckets.iter().map(|bucket| bucket.scans).sum::<u64>(), 500);
+        assert!(buckets.windows(2).all(|pair| pair[0].to_ns == pair[1].from_ns));
+    }
+}

@@ -1,0 +1,241 @@
+//! How long a scan takes, how bad it can get, and what watchdog that allows.
+//!
+//! A measurement drives a controller with a stimulus, reads the clock between the parts of each scan, and counts
+//! instructions through the observers in a second pass whose time is not taken: an observed channel is slower than one
+//! that nobody watches. Beside what was measured stands the static bound, which no scan exceeds in instructions.
+
+mod costs;
+mod count;
+mod distribution;
+mod inputs;
+mod page;
+mod picture;
+mod report;
+mod stopwatch;
+mod units;
+
+use std::time::{Duration, Instant};
+
+use twinrung_bytecode::AdmittedImage;
+use twinrung_bytecode::bound::{self, Bound};
+use twinrung_bytecode::observer::Silent;
+use twinrung_controller::{DualController, StopReason};
+
+pub use costs::{CostRow, Estimate, estimate};
+pub use count::Counts;
+pub use distribution::{Bucket, Distribution, Quantiles};
+pub use inputs::{Coverage, Inputs};
+pub use page::page;
+pub use picture::picture;
+pub use report::{Report, RoutineRow, RungRow};
+pub use units::time;
+
+use crate::drive::Drive;
+use crate::mix::{self, Toggles};
+use crate::run::RunError;
+use crate::stimulus::Stimulus;
+use count::Counter;
+use stopwatch::Stopwatch;
+
+/// What to measure.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    /// Scans whose time is taken.
+    pub scans: u64,
+    /// Scans before them, whose time is not taken: caches and branch predictors are cold.
+    pub warm_up: u64,
+    /// What drives the inputs.
+    pub inputs: Driven,
+    /// One scan in each period, judged by the watchdog; otherwise scan after scan.
+    pub realtime: bool,
+}
+
+/// What drives the inputs of a measurement.
+#[derive(Debug, Clone)]
+pub enum Driven {
+    /// Every input, at random, from this seed.
+    Random(u64),
+    /// A stimulus, again from its first row when it is over.
+    Stimulus(Stimulus),
+    /// So many toggles before each scan, as [`crate::mix`] defines them; for a generated program.
+    Toggles(usize),
+}
+
+impl Default for Plan {
+    fn default() -> Plan {
+        Plan { scans: 10_000, warm_up: 100, inputs: Driven::Random(1), realtime: false }
+    }
+}
+
+/// What was measured.
+#[derive(Debug, Clone)]
+pub struct Measurement {
+    /// Scans whose time was taken.
+    pub scans: u64,
+    /// The whole scan.
+    pub whole: Distribution,
+    /// Its parts, in the order of [`twinrung_controller::Part::ALL`].
+    pub parts: [Distribution; 5],
+    /// How late scans began, in real time.
+    pub lateness: Option<Distribution>,
+    /// Most instructions that one channel executed in a scan.
+    pub instructions_max: u64,
+    /// Instructions of each rung, in the scans that were observed.
+    pub counts: Counts,
+    /// The static bound in instructions.
+    pub bound: Bound,
+    /// The scan in which the safety task stopped, and why.
+    pub stopped: Option<(u64, StopReason)>,
+    /// What the random values reached; `None` with a stimulus.
+    pub coverage: Option<Coverage>,
+    /// The state after the last scan, in one number; for a generated program.
+    pub hash: Option<u64>,
+    /// What reading the clock once costs, in ns; six readings are part of each scan.
+    pub clock_ns: u64,
+}
+
+/// Scans that are observed to count instructions.
+const OBSERVED_SCANS: u64 = 200;
+/// How long before its time a scan in real time stops sleeping and waits awake: the scheduler's usual error.
+const AWAKE: Duration = Duration::from_micros(500);
+
+enum Source {
+    Stimulus(Drive),
+    Random(Inputs),
+    Toggles(Toggles),
+}
+
+impl Source {
+    fn new(controller: &mut DualController, plan: &Plan) -> Result<Source, RunError> {
+        match &plan.inputs {
+            Driven::Stimulus(stimulus) => Drive::new(controller, stimulus).map(Source::Stimulus),
+            Driven::Random(seed) => Ok(Source::Random(Inputs::new(controller, *seed))),
+            Driven::Toggles(each_scan) => Toggles::new(controller, *each_scan)
+                .map(Source::Toggles)
+                .ok_or_else(|| RunError::Load("it does not have the inputs of a generated program".to_owned())),
+        }
+    }
+
+    fn before(&mut self, controller: &mut DualController, scan: u64, time_ms: u64) {
+        match self {
+            Source::Stimulus(drive) => {
+                if drive.is_over() {
+                    drive.again(time_ms);
+                }
+                drive.until(controller, time_ms);
+            }
+            Source::Random(inputs) => inputs.before(controller, scan),
+            Source::Toggles(toggles) => toggles.before(controller),
+        }
+    }
+}
+
+/// Measures. `progress` is told after each scan how many there were, warm-up and observed scans included.
+///
+/// # Errors
+///
+/// An image without a task, a period that is not a whole number of milliseconds, a stimulus that does not fit.
+pub fn measure(
+    image: &AdmittedImage,
+    bytes: &[u8],
+    plan: &Plan,
+    mut progress: impl FnMut(u64),
+) -> Result<Measurement, RunError> {
+    let task = image.image().task.as_ref().ok_or(RunError::NoTask)?;
+    if !task.period_us.is_multiple_of(1000) {
+        return Err(RunError::Period(task.period_us));
+    }
+    let (period_us, watchdog_us) = (u64::from(task.period_us), u64::from(task.watchdog_us));
+    let distribution = || Distribution::new().map_err(|error| RunError::Load(error.to_string()));
+    let load = || DualController::load(image.clone(), bytes).map_err(|error| RunError::Load(error.to_string()));
+    let mut done = 0;
+    let observed = plan.scans.min(OBSERVED_SCANS);
+    let counts = {
+        let mut controller = load()?;
+        let mut source = Source::new(&mut controller, plan)?;
+        let mut counter = Counter::new(image);
+        controller.power_up_in_run();
+        // The first boundary also prescans, and what a prescan executes is not part of a scan.
+        source.before(&mut controller, 0, 0);
+        controller.scan(0);
+        for scan in 1..=observed {
+            let time_ms = scan * period_us / 1000;
+            source.before(&mut controller, scan, time_ms);
+            counter.begin();
+            let report =
+                controller.scan_observed(time_ms as i64, &mut twinrung_controller::NoClock, &mut counter, &mut Silent);
+            counter.end();
+            if report.stopped.is_some() {
+                break;
+            }
+            done += 1;
+            progress(done);
+        }
+        counter.counts()
+    };
+    let mut controller = load()?;
+    let mut source = Source::new(&mut controller, plan)?;
+    controller.power_up_in_run();
+    let mut measurement = Measurement {
+        scans: 0,
+        whole: distribution()?,
+        parts: [distribution()?, distribution()?, distribution()?, distribution()?, distribution()?],
+        lateness: if plan.realtime { Some(distribution()?) } else { None },
+        instructions_max: 0,
+        counts,
+        bound: bound::instructions(image),
+        stopped: None,
+        coverage: None,
+        hash: None,
+        clock_ns: stopwatch::reading_ns(),
+    };
+    let mut stopwatch = Stopwatch::new(plan.realtime.then(|| Duration::from_micros(watchdog_us)));
+    let begun = Instant::now();
+    for scan in 0..plan.warm_up + plan.scans {
+        let time_ms = scan * period_us / 1000;
+        source.before(&mut controller, scan, time_ms);
+        let late = plan.realtime.then(|| wait_until(begun + Duration::from_micros(scan * period_us)));
+        let report = controller.scan_observed(time_ms as i64, &mut stopwatch, &mut Silent, &mut Silent);
+        if let Some(reason) = report.stopped {
+            measurement.stopped = Some((scan, reason));
+            break;
+        }
+        measurement.instructions_max = measurement.instructions_max.max(report.instructions);
+        if scan >= plan.warm_up {
+            measurement.scans += 1;
+            stopwatch.record(&mut measurement.whole, &mut measurement.parts);
+            if let (Some(late), Some(lateness)) = (late, measurement.lateness.as_mut()) {
+                lateness.record(late);
+            }
+        }
+        done += 1;
+        progress(done);
+    }
+    match source {
+        Source::Random(inputs) => measurement.coverage = Some(inputs.coverage()),
+        Source::Toggles(_) => measurement.hash = Some(mix::hash(&controller)),
+        Source::Stimulus(_) => {}
+    }
+    Ok(measurement)
+}
+
+/// Scans that a plan makes in all, for a progress bar.
+pub fn scans_in_all(plan: &Plan) -> u64 {
+    plan.scans.min(OBSERVED_SCANS) + plan.warm_up + plan.scans
+}
+
+/// Waits, the last of it awake. Answers with how late it is then.
+fn wait_until(when: Instant) -> Duration {
+    loop {
+        let now = Instant::now();
+        let left = when.saturating_duration_since(now);
+        if left.is_zero() {
+            return now - when;
+        }
+        if left > AWAKE {
+            std::thread::sleep(left - AWAKE);
+        } else {
+            std::hint::spin_loop();
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! A report as one HTML page that needs nothing else.
+
+use std::fmt::Write as _;
+
+use super::units::{count, time};
+use super::{Quantiles, Report};
+
+const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
+table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #d0d7de}\
+td:first-child,th:first-child{text-align:left}code{font-size:13px}.bar{fill:#3b73b9}.mark{stroke:#b3261e;stroke-dasharray:4 3}\
+.axis{stroke:#8c959f}text{font-size:12px;fill:currentColor}.verdict{border-left:4px solid #3b73b9;padding:.4rem 1rem}\
+@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}td,th{border-color:#30363d}.mark{stroke:#ff7b72}}";
+
+/// Drawing size in user units.
+const WIDTH: f64 = 900.0;
+const HEIGHT: f64 = 260.0;
+/// Room for the marks above the bars, and for the times below them.
+const ABOVE: f64 = 40.0;
+const BELOW: f64 = 30.0;
+
+/// Writes the page.
+pub fn page(report: &Report) -> String {
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Scan time of {0}</title>\
+         <meta name=\"viewport\" content=\"width=device-width\"><style>{STYLE}</style></head><body>\n\
+         <h1>Scan time of {0}</h1>\n<p>Safety application {1}; {2} rungs; {3} scans on both channels, compared after each; \
+         period {4}, watchdog {5}.</p>\n<p class=\"verdict\">{6}</p>\n",
+        escaped(&report.project),
+        escaped(&report.signature),
+        count(report.rungs),
+        count(report.scans),
+        time(report.period_ns),
+        time(report.watchdog_ns),
+        escaped(&report.verdict()),
+    );
+    if let Some(stopped) = &report.stopped {
+        let _ = writeln!(out, "<p>Ended early in {}.</p>", escaped(stopped));
+    }
+    if let Some(estimate) = &report.estimate {
+        let _ = writeln!(
+            out,
+            "<p>The longest path would take about {}: an estimate from costs measured on this machine, for this computer \
+             only.</p>",
+            time(estimate.bound_ns)
+        );
+    }
+    histogram(&mut out, report);
+    parts(&mut out, report);
+    instructions(&mut out, report);
+    out.push_str("</body></html>\n");
+    out
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+fn histogram(out: &mut String, report: &Report) {
+    let (Some(first), Some(last)) = (report.histogram.first(), report.histogram.last()) else { return };
+    let (least, greatest) = ((first.from_ns.max(1) as f64).ln(), (last.to_ns.max(2) as f64).ln());
+    let span = (greatest - least).max(f64::EPSILON);
+    let x = |ns: u64| ((ns.max(1) as f64).ln() - least) / span * WIDTH;
+    let most = report.histogram.iter().map(|bucket| bucket.scans).max().unwrap_or(0).max(1) as f64;
+    let total = HEIGHT + ABOVE + BELOW;
+    let _ = writeln!(
+        out,
+        "<h2>Distribution</h2>\n<svg viewBox=\"-10 0 {} {total}\" role=\"img\" aria-label=\"Histogram of the scan time\">",
+        WIDTH + 70.0
+    );
+    for bucket in report.histogram.iter().filter(|bucket| bucket.scans > 0) {
+        let (from, to) = (x(bucket.from_ns), x(bucket.to_ns));
+        // At least one unit high: what happened once is seen.
+        let height = (bucket.scans as f64 / most * HEIGHT).max(1.0);
+        let _ = writeln!(
+            out,
+            "<rect class=\"bar\" x=\"{from:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{height:.1}\"><title>{} to {}: {} scans</title></rect>",
+            ABOVE + HEIGHT - height,
+            (to - from - 0.5).max(0.5),
+            time(bucket.from_ns),
+            time(bucket.to_ns),
+            count(bucket.scans)
+        );
+    }
+    let base = ABOVE + HEIGHT;
+    let _ = writeln!(out, "<line class=\"axis\" x1=\"0\" y1=\"{base}\" x2=\"{WIDTH}\" y2=\"{base}\"/>");
+    let quantiles = &report.scan_ns;
+    let marks = [("p50", quantiles.p50), ("p99", quantiles.p99), ("p99.9", quantiles.p999), ("max", quantiles.max)];
+    for (index, (name, ns)) in marks.into_iter().enumerate() {
+        let (at, top) = (x(ns), 12.0 + 8.0 * index as f64);
+        let _ = writeln!(
+            out,
+            "<line class=\"mark\" x1=\"{at:.1}\" y1=\"{top}\" x2=\"{at:.1}\" y2=\"{base}\"/><text x=\"{:.1}\" y=\"{:.1}\">{name} {}</text>",
+            at + 3.0,
+            top + 4.0,
+            time(ns)
+        );
+    }
+    for step in 0..=4 {
+        let ns = (least + span * f64::from(step) / 4.0).exp() as u64;
+        let anchor = if step == 0 { "start" } else { "middle" };
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>",
+            x(ns),
+            base + 18.0,
+            time(ns)
+        );
+    }
+    out.push_str("</svg>\n");
+}
+
+fn parts(out: &mut String, report: &Report) {
+    out.push_str(
+        "<h2>Parts of a scan</h2>\n<table><tr><th></th><th>p50</th><th>p99</th><th>p99.9</th><th>max</th></tr>\n",
+    );
+    let mut row = |name: &str, quantiles: &Quantiles| {
+        let _ = writeln!(
+            out,
+            "<tr><td>{name}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            time(quantiles.p50),
+            time(quantiles.p99),
+            time(quantiles.p999),
+            time(quantiles.max)
+        );
+    };
+    row("scan", &report.scan_ns);
+    row("freeze", &report.freeze_ns);
+    row("primary", &report.primary_ns);
+    row("partner", &report.partner_ns);
+    row("comparison", &report.compare_ns);
+    row("publish", &report.publish_ns);
+    if let Some(jitter) = &report.jitter_ns {
+        row("began late by", jitter);
+    }
+    out.push_str("</table>\n");
+}
+
+fn instructions(out: &mut String, report: &Report) {
+    out.push_str(
+        "<h2>Instructions in a scan</h2>\n<table><tr><th></th><th>rungs</th><th>at most seen</th><th>bound</th></tr>\n",
+    );
+    let mut row = |name: &str, rungs: Option<u64>, seen: u64, bound: u64| {
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escaped(name),
+            rungs.map(count).unwrap_or_default(),
+            count(seen),
+            if bound == 0 { String::new() } else { count(bound) }
+        );
+    };
+    row("all", Some(report.rungs), report.max_instructions, report.bound_instructions);
+    for program in &report.programs {
+        row(&program.program, None, program.max_instructions, program.bound_instructions);
+    }
+    for routine in &report.routines {
+        row(&routine.routine, Some(routine.rungs), routine.max_instructions, routine.bound_instructions);
+    }
+    out.push_str("</table>\n<h2>Most expensive rungs</h2>\n<table><tr><th>rung</th><th>instructions</th><th>bound</th><th>text</th></tr>\n");
+    for rung in &report.most_expensive_rungs {
+        let _ = writeln!(
+            out,
+            "<tr><td>{} {}</td><td>{}</td><td>{}</td><td style=\"text-align:left\"><code>{}</code></td></tr>",
+            escaped(&rung.routine),
+            rung.rung,
+            count(rung.max_instructions),
+            count(rung.bound_instructions),
+            escaped(&rung.text)
+        );
+    }
+    out.push_str("</table>\n");
+}

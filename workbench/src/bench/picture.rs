@@ -1,0 +1,186 @@
+//! A report as a picture on a terminal.
+
+use std::fmt::Write as _;
+
+use super::units::{count, time};
+use super::{Bucket, Quantiles, Report};
+
+/// Lines of the histogram.
+const LINES: usize = 16;
+/// Columns beside a bar.
+const BESIDE: usize = 44;
+/// Widest name of a routine, and widest text of a rung.
+const NAME: usize = 36;
+
+/// Draws a report in so many columns.
+pub fn picture(report: &Report, columns: usize) -> String {
+    let mut out = String::new();
+    let _ = writeln!(
+        out,
+        "{}, safety application {}: {} rungs, {} scans on both channels, compared after each\n",
+        report.project,
+        report.signature,
+        count(report.rungs),
+        count(report.scans)
+    );
+    histogram(&mut out, report, columns);
+    parts(&mut out, report);
+    instructions(&mut out, report, columns);
+    if let Some(estimate) = &report.estimate {
+        let _ = writeln!(
+            out,
+            "the longest path would take about {}: an estimate from costs measured on this machine, for this computer only",
+            time(estimate.bound_ns)
+        );
+    }
+    if let Some(inputs) = &report.inputs {
+        let _ = writeln!(
+            out,
+            "inputs at random: {} of {} BOOL inputs were off and on, {} numbers moved",
+            count(inputs.both_truths),
+            count(inputs.bools),
+            count(inputs.numbers)
+        );
+    }
+    let _ = writeln!(
+        out,
+        "the clock was read 6 times in each scan, {} each; nothing is subtracted for it",
+        time(report.clock_ns)
+    );
+    if let Some(hash) = &report.hash {
+        let _ = writeln!(out, "state after the last scan: {hash}");
+    }
+    if let Some(stopped) = &report.stopped {
+        let _ = writeln!(out, "\nended early in {stopped}");
+    }
+    let _ = writeln!(out, "\n{}", report.verdict());
+    out
+}
+
+/// Neighbouring buckets joined until there are few enough.
+fn joined(buckets: &[Bucket], most: usize) -> Vec<Bucket> {
+    let each = buckets.len().div_ceil(most).max(1);
+    let join = |group: &[Bucket]| {
+        let (first, last) = (group.first()?, group.last()?);
+        Some(Bucket { from_ns: first.from_ns, to_ns: last.to_ns, scans: group.iter().map(|bucket| bucket.scans).sum() })
+    };
+    buckets.chunks(each).filter_map(join).collect()
+}
+
+fn histogram(out: &mut String, report: &Report, columns: usize) {
+    let lines = joined(&report.histogram, LINES);
+    let greatest = lines.iter().map(|line| line.scans).max().unwrap_or(0).max(1);
+    let width = columns.saturating_sub(BESIDE).max(10);
+    let marks = [
+        ("p50", report.scan_ns.p50),
+        ("p99", report.scan_ns.p99),
+        ("p99.9", report.scan_ns.p999),
+        ("max", report.scan_ns.max),
+    ];
+    for (index, line) in lines.iter().enumerate() {
+        let is_last = index + 1 == lines.len();
+        let here: Vec<&str> = marks
+            .iter()
+            .filter(|(_, ns)| (line.from_ns..line.to_ns).contains(ns) || (is_last && *ns >= line.to_ns))
+            .map(|(name, _)| *name)
+            .collect();
+        let _ = writeln!(
+            out,
+            "{:>8} {} {:>9}  {}",
+            time(line.from_ns),
+            bar(line.scans, greatest, width),
+            count(line.scans),
+            here.join(" ")
+        );
+    }
+    out.push('\n');
+}
+
+/// A bar in eighths of a column; what is not nothing is seen.
+fn bar(value: u64, greatest: u64, width: usize) -> String {
+    const EIGHTHS: [char; 8] = [' ', '▏', '▎', '▍', '▌', '▋', '▊', '▉'];
+    let eighths = (value as u128 * width as u128 * 8 / u128::from(greatest)) as usize;
+    let eighths = if value > 0 { eighths.max(1) } else { 0 };
+    let mut bar: String = std::iter::repeat_n('█', eighths / 8).collect();
+    if !eighths.is_multiple_of(8) {
+        bar.push(EIGHTHS[eighths % 8]);
+    }
+    let shown = bar.chars().count();
+    bar.extend(std::iter::repeat_n(' ', width.saturating_sub(shown)));
+    bar
+}
+
+fn parts(out: &mut String, report: &Report) {
+    let _ = writeln!(out, "{:<12} {:>9} {:>9} {:>9} {:>9}", "", "p50", "p99", "p99.9", "max");
+    let mut row = |name: &str, quantiles: &Quantiles| {
+        let _ = writeln!(
+            out,
+            "{name:<12} {:>9} {:>9} {:>9} {:>9}",
+            time(quantiles.p50),
+            time(quantiles.p99),
+            time(quantiles.p999),
+            time(quantiles.max)
+        );
+    };
+    row("scan", &report.scan_ns);
+    row("  freeze", &report.freeze_ns);
+    row("  primary", &report.primary_ns);
+    row("  partner", &report.partner_ns);
+    row("  comparison", &report.compare_ns);
+    row("  publish", &report.publish_ns);
+    if let Some(jitter) = &report.jitter_ns {
+        row("began late by", jitter);
+    }
+    out.push('\n');
+}
+
+fn instructions(out: &mut String, report: &Report, columns: usize) {
+    let _ = writeln!(out, "{:<NAME$} {:>7} {:>14} {:>14}", "instructions in a scan", "rungs", "at most seen", "bound");
+    let _ = writeln!(
+        out,
+        "{:<NAME$} {:>7} {:>14} {:>14}",
+        "all",
+        count(report.rungs),
+        count(report.max_instructions),
+        count(report.bound_instructions)
+    );
+    for program in &report.programs {
+        let _ = writeln!(
+            out,
+            "{:<NAME$} {:>7} {:>14} {:>14}",
+            cut(&program.program, NAME),
+            "",
+            count(program.max_instructions),
+            count(program.bound_instructions)
+        );
+    }
+    for routine in &report.routines {
+        let _ = writeln!(
+            out,
+            "{:<NAME$} {:>7} {:>14} {:>14}",
+            cut(&format!("  {}", routine.routine), NAME),
+            count(routine.rungs),
+            count(routine.max_instructions),
+            if routine.bound_instructions == 0 { "-".to_owned() } else { count(routine.bound_instructions) }
+        );
+    }
+    let _ = writeln!(out, "\nmost expensive rungs");
+    for rung in &report.most_expensive_rungs {
+        let place = format!("{} rung {}", rung.routine, rung.rung);
+        let _ = writeln!(
+            out,
+            "{:>6}  {:<28} {}",
+            count(rung.max_instructions),
+            cut(&place, 28),
+            cut(&rung.text, columns.saturating_sub(NAME + 1).max(20))
+        );
+    }
+    out.push('\n');
+}
+
+fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    text.chars().take(width.saturating_sub(3)).chain("...".chars()).collect()
+}
