@@ -13,6 +13,7 @@
 
 pub mod completion;
 pub mod diagnostic;
+mod flow;
 pub mod library;
 pub mod lower;
 pub mod names;

@@ -24,7 +24,7 @@ use twinrung_grammar::tree::{CompactString, Span};
 
 pub use add_on::{AddOn, Parameter};
 pub use controller::Profile;
-pub use module::Module;
+pub use module::{Module, Point, Setting};
 pub use program::{Program, Routine, RoutineOwner};
 pub use rung::{Branch, Call, Element, Instruction, OpcodeSet, OperandUse, Place, Rung};
 pub use tag::{MapLine, Tag, TagClass, TagKind, TagScope};

@@ -1,7 +1,7 @@
 //! Tags and the safety tag map.
 
 use twinrung_bytecode::image::TypeReference;
-use twinrung_grammar::tree::{CompactString, Span};
+use twinrung_grammar::tree::{self, CompactString, Span};
 
 use super::data::Region;
 use super::{ProgramId, TagId};
@@ -90,6 +90,8 @@ pub struct Tag {
     pub explicit_class: Option<(TagClass, Span)>,
     /// Why it cannot be used, reported where safety logic uses it.
     pub fault: Option<Box<Finding>>,
+    /// What a consumed tag declares of its connection.
+    pub connection: Option<Box<tree::ConsumeInfo>>,
     /// `MappedFrom`.
     pub mapped_from: Option<(CompactString, Span)>,
 }

@@ -95,6 +95,10 @@ impl<'a> TagTable<'_, 'a> {
             initial: None,
             explicit_class: shown.class.map(|class| (class_of(class.value), class.span)),
             fault: None,
+            connection: match &shown.kind {
+                tree::TagKind::Consumed(info) => Some(info.clone()),
+                _ => None,
+            },
             mapped_from: shown.mapped_from.as_ref().map(|name| (name.text.clone(), name.span)),
         };
         if class == TagClass::Safety && !tag.is_alias() {
@@ -300,6 +304,7 @@ fn module_tag_named(
         initial: None,
         explicit_class: None,
         fault: None,
+        connection: None,
         mapped_from: None,
     }
 }

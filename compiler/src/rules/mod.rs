@@ -14,6 +14,21 @@ macro_rules! sample {
         )
     };
     ($tags:literal, $rungs:literal) => { sample!(on "1756-L73S", "20"; $tags, $rungs) };
+    (io; $tags:literal, $rungs:literal) => {
+        sample!(modules
+            "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Field_In (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE\n  MODULE Field_Out (CatalogNumber := \"1734-OB8S\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE\n";
+            $tags, $rungs)
+    };
+    (modules $modules:literal; $tags:literal, $rungs:literal) => {
+        concat!(
+            "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20, SafetyNetwork := 16#0000_0000_0001_0001)\n",
+            $modules, "  TAG\n", $tags, "  END_TAG\n",
+            "  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n", $rungs,
+            "    END_ROUTINE\n  END_PROGRAM\n",
+            "  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n",
+            "    Safety_Main;\n  END_TASK\nEND_CONTROLLER\n"
+        )
+    };
 }
 
 /// Declares the entry of a rule in the code table.
@@ -49,12 +64,13 @@ macro_rules! rules {
     };
 }
 
-mod usage;
+pub(crate) mod usage;
 
 #[cfg(test)]
 mod testing;
 
 rules! {
+    adapter_connections,
     admission,
     alias_across_classes,
     automatic_restart,
@@ -63,6 +79,7 @@ rules! {
     backward_jump,
     condition_before_box,
     connected_tag,
+    connection_time,
     copy_length_constant,
     copy_size,
     deep_branches,
@@ -71,36 +88,51 @@ rules! {
     forces,
     input_written,
     integer_division,
+    masked_discrepancy,
     master_control,
     mixed_compare,
     module_setting,
+    muting_lamp,
+    network_number,
     no_output,
     not_scheduled,
     one_safety_task,
     operand_pair,
     output_not_written,
+    parameter_sequence,
     pending_edits,
     period,
+    point_pair,
+    point_setting,
     position,
     preset,
+    producer_network,
     program_routines,
+    reaction_time_limit,
     real,
     recursion,
     reset_of_tof,
     routine_language,
     safety_type,
     schedule,
+    shared_network,
     shared_storage,
     short_pattern,
+    sil_2_data,
     standard_tag,
     standard_write,
     status_not_watched,
     subroutine,
     system_attribute,
     tag_map,
+    test_source,
     two_coils,
     uncertified,
     unguarded_divisor,
+    unique_node,
+    unknown_module,
+    unqualified_operand,
+    unqualified_output,
     watchdog,
     written_tag,
 }
@@ -155,4 +187,18 @@ static ALL: &[fn(&Project, &mut Findings)] = &[
     mixed_compare::check,
     integer_division::check,
     backward_jump::check,
+    point_setting::check,
+    test_source::check,
+    muting_lamp::check,
+    point_pair::check,
+    masked_discrepancy::check,
+    unknown_module::check,
+    network_number::check,
+    unique_node::check,
+    connection_time::check,
+    reaction_time_limit::check,
+    adapter_connections::check,
+    producer_network::check,
+    shared_network::check,
+    crate::flow::check,
 ];

@@ -44,6 +44,13 @@ pub struct SafetyApplication {
     pub backing: &'static PredefinedType,
     /// For each operand after the backing tag, in order: the member of the backing tag that mirrors it, or `""`.
     pub mirrored: &'static [&'static str],
+    /// Names of the operands without which no output comes on: what they carry decides whether the outputs are of safety
+    /// origin. The other inputs (a reset, a status) can spoil an output, and do not qualify it. (decided, from the
+    /// conditions for O1 in the reference)
+    pub decides: &'static [&'static str],
+    /// Names of the operands that take no unqualified data: channels, contacts, feedbacks, and what opens a guard or mutes
+    /// a device. dual-channel-inputs.md C7 and C8; the like of other families decided.
+    pub safety_only: &'static [&'static str],
     /// Rules that bind several operands of one call together, or the task; checked when compiled.
     pub relations: &'static [Relation],
     /// The codes it can show, fault words first; 0 (nothing to report) is not listed.

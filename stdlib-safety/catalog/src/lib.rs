@@ -15,6 +15,7 @@ pub mod instruction;
 pub mod instructions;
 pub mod modules;
 pub mod operand;
+pub mod points;
 pub mod predefined;
 pub mod types;
 

@@ -285,3 +285,39 @@ impl Module {
         ALL.iter().copied().find(|module| module.catalog_number.eq_ignore_ascii_case(number))
     }
 }
+
+/// The class of a member of a module's input tag: as the catalogue has it, and for a module or member that it does not
+/// have by the name (decided): read-backs, power status and what belongs to test outputs are marked STANDARD in every
+/// module manual, all other members carry safety data.
+pub fn class_of_input(catalog_number: &str, member: &str) -> MemberClass {
+    let known = Module::by_catalog_number(catalog_number).and_then(|module| {
+        let chosen = module.input_status.iter().flat_map(|choice| choice.members);
+        module.input.iter().chain(chosen).find(|one| one.name.eq_ignore_ascii_case(member))
+    });
+    if let Some(known) = known {
+        return known.class;
+    }
+    let ends = |ending: &str| {
+        let at = member.len().saturating_sub(ending.len());
+        member.get(at..).is_some_and(|end| end.eq_ignore_ascii_case(ending))
+    };
+    let begins = |beginning: &str| member.get(..beginning.len()).is_some_and(|one| one.eq_ignore_ascii_case(beginning));
+    if ["RunMode", "ConnectionFaulted"].iter().any(|name| member.eq_ignore_ascii_case(name)) {
+        MemberClass::ConnectionStatus
+    } else if begins("Test") || ["Readback", "PowerStatus", "TestOutputStatus"].iter().any(|ending| ends(ending)) {
+        MemberClass::Standard
+    } else {
+        MemberClass::Safety
+    }
+}
+
+/// Whether a member of a module's output tag switches a safety output; test outputs do not.
+pub fn is_safety_output(catalog_number: &str, member: &str) -> bool {
+    let known = Module::by_catalog_number(catalog_number).and_then(|module| {
+        module.output_data.iter().flat_map(|choice| choice.members).find(|one| one.name.eq_ignore_ascii_case(member))
+    });
+    match known {
+        Some(known) => known.class == MemberClass::Safety,
+        None => !member.get(..4).is_some_and(|one| one.eq_ignore_ascii_case("Test")),
+    }
+}

@@ -210,3 +210,13 @@ fn choice_words_when_read_then_every_spelling_and_the_number_give_the_value() {
         assert_eq!(list.value("NO SUCH WORD"), None);
     }
 }
+
+#[test]
+fn operands_that_decide_or_take_safety_data_only_when_looked_up_then_they_exist() {
+    let missing: Vec<_> = safety_applications()
+        .flat_map(|(one, safety)| safety.decides.iter().chain(safety.safety_only).map(move |name| (one, *name)))
+        .filter(|(one, name)| !one.operands.iter().any(|operand| operand.name == *name))
+        .map(|(one, name)| (one.mnemonic, name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

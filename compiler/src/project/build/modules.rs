@@ -8,7 +8,7 @@ use twinrung_grammar::tree::{self, Value};
 use super::Inputs;
 use crate::diagnostic::{DUPLICATE_NAME, Finding, Findings};
 use crate::names::{Map, fold};
-use crate::project::Module;
+use crate::project::{Module, Point, Setting};
 
 /// The modules of the files, each once.
 pub(super) fn build<'a>(inputs: &Inputs<'a>, findings: &mut Findings) -> Vec<(&'a tree::Module, Module)> {
@@ -44,11 +44,40 @@ pub(super) fn build<'a>(inputs: &Inputs<'a>, findings: &mut Findings) -> Vec<(&'
                 slot: shown.slot.map(|slot| slot.value),
                 safety_network: network.map(|text| (text.text.clone(), text.span)),
                 text: canonical(shown),
+                points: points(shown),
+                shown: Box::new(tree::Module { opaque: Vec::new(), configuration: None, ..shown.clone() }),
             };
             list.push((shown, module));
         }
     }
     list
+}
+
+fn points(shown: &tree::Module) -> Vec<Point> {
+    let settings = |point: &tree::Point| {
+        let of = |attribute: &tree::Attribute| {
+            let value = attribute.value.text()?;
+            Some(Setting {
+                key: attribute.key.text.clone(),
+                key_span: attribute.key.span,
+                value: value.as_str().trim().into(),
+                value_span: value.span,
+            })
+        };
+        point.attributes.iter().filter_map(of).collect::<Vec<_>>()
+    };
+    let of = |point: &tree::Point| {
+        let settings = settings(point);
+        let sil = settings.iter().find(|one| one.key.eq_ignore_ascii_case("SIL"));
+        Point {
+            kind: point.kind,
+            name: point.name.text.to_ascii_uppercase().into(),
+            span: point.name.span,
+            sil: sil.and_then(|one| one.value.parse().ok()),
+            settings,
+        }
+    };
+    shown.points.iter().map(of).collect()
 }
 
 /// Whether a module carries safety data (neutral-text-and-l5x.md D.3). The controller and its partner do not.

@@ -53,6 +53,8 @@ pub static AVC: Instruction = Instruction {
             "OutputStatus",
             "Reset",
         ],
+        decides: &["Actuate"],
+        safety_only: &["Feedback 1"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

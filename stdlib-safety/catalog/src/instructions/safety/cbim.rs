@@ -51,6 +51,8 @@ pub static CBIM: Instruction = Instruction {
             "SlideZone",
             "SafetyEnableAck",
         ],
+        decides: &["Enable", "Safety Enable", "Start"],
+        safety_only: &["Safety Enable", "Press In Motion", "Motion Monitor Fault", "Slide Zone"],
         relations: &[],
         codes: &[
             permissive::ENABLE_OFF,

@@ -49,6 +49,8 @@ pub static CPM: Instruction = Instruction {
             "PressMotionStatus",
             "Reset",
         ],
+        decides: &["Brake Cam", "Takeover Cam", "Dynamic Cam"],
+        safety_only: &["Brake Cam", "Takeover Cam", "Dynamic Cam"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -44,6 +44,8 @@ pub static CSM: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B", "Mechanical Delay Time", "Max Pulse Period"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

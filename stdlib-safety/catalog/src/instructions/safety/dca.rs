@@ -51,6 +51,8 @@ pub static DCA: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B", "Tolerance", "High Limit", "Low Limit"],
         relations: &[Relation::NotAbove("Low Limit", "High Limit")],
         codes: &[
             codes::INPUT_STATUS_LOST,

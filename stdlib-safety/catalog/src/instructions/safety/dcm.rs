@@ -36,6 +36,8 @@ pub static DCM: Instruction = Instruction {
     safety: Some(&SafetyApplication {
         backing: &DCI_MONITOR,
         mirrored: &["SafetyFunction", "InputType", "DiscrepancyTime", "ChannelA", "ChannelB", "InputStatus", "Reset"],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -48,6 +48,8 @@ pub static DCS: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[
             codes::INPUT_STATUS_LOST,

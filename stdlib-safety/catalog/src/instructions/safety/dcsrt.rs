@@ -47,6 +47,8 @@ pub static DCSRT: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[
             codes::INPUT_STATUS_LOST,

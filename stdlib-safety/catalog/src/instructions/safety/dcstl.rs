@@ -57,6 +57,8 @@ pub static DCSTL: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B", "Lock Feedback", "Hazard Stopped"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -59,6 +59,8 @@ pub static DCSTM: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B", "Mute", "Muting Lamp Status"],
         relations: &[
             Relation::DifferentTags("Channel A", "Channel B"),
             Relation::NotZeroWhen("Test Time", "Test Type", 1),

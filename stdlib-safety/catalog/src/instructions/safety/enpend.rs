@@ -34,6 +34,8 @@ pub static ENPEND: Instruction = Instruction {
     safety: Some(&SafetyApplication {
         backing: &ENABLE_PENDANT,
         mirrored: &["ResetType", "ChannelA", "ChannelB", "CircuitReset", "FaultReset"],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B"],
         relations: &[],
         codes: &[
             flag_code(

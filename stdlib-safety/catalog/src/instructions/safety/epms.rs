@@ -48,6 +48,8 @@ pub static EPMS: Instruction = Instruction {
             "Lock",
             "Reset",
         ],
+        decides: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5", "Input 6", "Input 7", "Input 8"],
+        safety_only: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5", "Input 6", "Input 7", "Input 8"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

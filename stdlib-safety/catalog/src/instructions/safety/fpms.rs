@@ -30,6 +30,8 @@ pub static FPMS: Instruction = Instruction {
     safety: Some(&SafetyApplication {
         backing: &FIVE_POS_MODE_SELECTOR,
         mirrored: &["Input1", "Input2", "Input3", "Input4", "Input5", "FaultReset"],
+        decides: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5"],
+        safety_only: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5"],
         relations: &[],
         codes: &[
             flag_code(

@@ -67,6 +67,16 @@ pub static FSBM: Instruction = Instruction {
             "MutingLampStatus",
             "Reset",
         ],
+        decides: &["Light Curtain"],
+        safety_only: &[
+            "Light Curtain",
+            "Sensor 1",
+            "Sensor 2",
+            "Sensor 3",
+            "Sensor 4",
+            "Override",
+            "Muting Lamp Status",
+        ],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

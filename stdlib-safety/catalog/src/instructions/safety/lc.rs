@@ -44,6 +44,8 @@ pub static LC: Instruction = Instruction {
             "CircuitReset",
             "FaultReset",
         ],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B", "Input Filter Time", "Mute Light Curtain"],
         relations: &[],
         codes: &[
             flag_code(

@@ -44,6 +44,8 @@ pub static MMVC: Instruction = Instruction {
             "OutputStatus",
             "Reset",
         ],
+        decides: &["Safety Enable", "Actuate"],
+        safety_only: &["Keyswitch", "Bottom", "Flywheel Stopped", "Safety Enable"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -47,6 +47,8 @@ pub static MVC: Instruction = Instruction {
             "OutputStatus",
             "Reset",
         ],
+        decides: &["Actuate"],
+        safety_only: &["Feedback 1", "Feedback 2"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -34,6 +34,8 @@ pub static ROUT: Instruction = Instruction {
     safety: Some(&SafetyApplication {
         backing: &REDUNDANT_OUTPUT,
         mirrored: &["FeedbackType", "Enable", "Feedback1", "Feedback2", "FaultReset"],
+        decides: &["Enable"],
+        safety_only: &["Feedback 1", "Feedback 2"],
         relations: &[],
         codes: &[
             flag_code(

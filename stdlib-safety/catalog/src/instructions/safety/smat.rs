@@ -36,6 +36,8 @@ pub static SMAT: Instruction = Instruction {
     safety: Some(&SafetyApplication {
         backing: &SAFETY_MAT,
         mirrored: &["RestartType", "ShortCircuitDetectDelayTime", "ChannelA", "ChannelB", "InputStatus", "Reset"],
+        decides: &["Channel A", "Channel B"],
+        safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -44,6 +44,18 @@ pub static THRS: Instruction = Instruction {
             "LeftButtonNormallyClosed",
             "FaultReset",
         ],
+        decides: &[
+            "Right Button Normally Open",
+            "Right Button Normally Closed",
+            "Left Button Normally Open",
+            "Left Button Normally Closed",
+        ],
+        safety_only: &[
+            "Right Button Normally Open",
+            "Right Button Normally Closed",
+            "Left Button Normally Open",
+            "Left Button Normally Closed",
+        ],
         relations: &[],
         codes: &[
             flag_code(

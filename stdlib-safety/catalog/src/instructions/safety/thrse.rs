@@ -44,6 +44,18 @@ pub static THRSE: Instruction = Instruction {
             "InputStatus",
             "Reset",
         ],
+        decides: &[
+            "Right Button Normally Open",
+            "Right Button Normally Closed",
+            "Left Button Normally Open",
+            "Left Button Normally Closed",
+        ],
+        safety_only: &[
+            "Right Button Normally Open",
+            "Right Button Normally Closed",
+            "Left Button Normally Open",
+            "Left Button Normally Closed",
+        ],
         relations: &[Relation::PeriodAtMost(40)],
         codes: &[
             codes::INPUT_STATUS_LOST,

@@ -57,6 +57,8 @@ pub static TSAM: Instruction = Instruction {
             "MutingLampStatus",
             "Reset",
         ],
+        decides: &["Light Curtain"],
+        safety_only: &["Light Curtain", "Sensor 1", "Sensor 2", "Override", "Muting Lamp Status"],
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,

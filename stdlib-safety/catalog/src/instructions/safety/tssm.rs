@@ -59,6 +59,8 @@ pub static TSSM: Instruction = Instruction {
             "MutingLampStatus",
             "Reset",
         ],
+        decides: &["Light Curtain"],
+        safety_only: &["Light Curtain", "Sensor 1", "Sensor 2", "Override", "Muting Lamp Status"],
         relations: &[Relation::BelowUnlessZero("S1S2-LC Minimum Time", "S1S2-LC Maximum Time")],
         codes: &[
             codes::INPUT_STATUS_LOST,
