@@ -1,6 +1,6 @@
 //! Random valid programs over the whole base instruction set run on primary, partner and judge, compared after every scan.
 //!
-//! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --seed 1 --minutes 10`.
+//! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --executions 100000000`.
 
 use twinrung_catalog::Opcode;
 use twinrung_trio::Campaign;

@@ -40,6 +40,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
             "twinrung-partner",
             "twinrung-primary",
             "twinrung-safety-partner",
+            "twinrung-safety-vectors",
             "twinrung-workbench",
         ],
         &[],

@@ -153,6 +153,12 @@ impl<'p> Judge<'p> {
         Some(cells)
     }
 
+    /// Whether a whole tag holds these cells, in the order in which cells are assigned; true for an alias or a standard tag.
+    pub fn holds(&self, tag: TagId, bits: &[u8], words: &[i32]) -> bool {
+        let value = self.memory.tags.get(&tag);
+        value.is_none_or(|value| value.holds(&mut bits.iter().copied(), &mut words.iter().copied()))
+    }
+
     /// Gives programs and routines the numbers that an image has for them: a fault record holds numbers.
     pub fn number_as(&mut self, programs: Vec<u32>, routines: Vec<u32>) {
         self.numbers = (programs, routines);

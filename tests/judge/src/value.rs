@@ -65,6 +65,16 @@ impl Value {
         }
     }
 
+    /// Whether it holds what the iterators give, in the order of [`Value::flatten`], which are advanced past it when it does.
+    pub fn holds(&self, bits: &mut impl Iterator<Item = u8>, words: &mut impl Iterator<Item = i32>) -> bool {
+        match self {
+            Value::Bit(value) => bits.next() == Some(u8::from(*value)),
+            Value::Integer(_, value) => words.next() == Some(*value),
+            Value::Real(value) => words.next() == Some(*value as i32),
+            Value::Structure(parts) | Value::Array(parts) => parts.iter().all(|part| part.holds(bits, words)),
+        }
+    }
+
     /// The part at a path.
     pub fn at(&self, path: &[u32]) -> &Value {
         path.iter().fold(self, |value, step| match value {

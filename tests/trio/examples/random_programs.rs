@@ -1,8 +1,9 @@
-//! Runs random programs on primary, partner and judge until the time is up.
+//! Runs random programs on primary, partner and judge until the time is up, or so many rungs were executed.
 //!
-//! `cargo run --release -p twinrung-trio --example random_programs -- --seed 1 --minutes 10`
+//! `cargo run --release -p twinrung-trio --example random_programs -- --seed 1 --executions 100000000`
 //!
-//! `--scans N` scans for each program, `--failures N` to stop after so many, `--print` to print the program of the seed.
+//! `--minutes N` instead of `--executions N`, `--scans N` scans of each program, `--rungs N` rungs of a main routine,
+//! `--failures N` to stop after so many, `--print` to print the program of the seed.
 
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -17,10 +18,18 @@ fn main() -> ExitCode {
         at.and_then(|at| arguments.get(at + 1)).and_then(|text| text.parse().ok()).unwrap_or(otherwise)
     };
     let first = number("--seed", 1.0) as u64;
-    let until = Instant::now() + Duration::from_secs_f64(number("--minutes", 1.0) * 60.0);
-    let scans = number("--scans", 120.0) as usize;
+    let begun = Instant::now();
+    let executions = number("--executions", f64::INFINITY);
+    let otherwise = if executions.is_finite() { 1e6 } else { 1.0 };
+    let longest = Duration::from_secs_f64(number("--minutes", otherwise) * 60.0);
+    let scans = number("--scans", 500.0) as usize;
+    let rungs = number("--rungs", 0.0) as usize;
     let most_failures = number("--failures", 5.0) as usize;
-    let size = |seed: u64| if seed.is_multiple_of(4) { Size::LARGE } else { Size::SMALL };
+    let size = |seed: u64| match rungs {
+        0 if seed.is_multiple_of(4) => Size::LARGE,
+        0 => Size::SMALL,
+        rungs => Size::of_rungs(rungs),
+    };
     if arguments.iter().any(|one| one == "--print") {
         println!("{}", generate::program(first, size(first)).text);
         return ExitCode::SUCCESS;
@@ -29,7 +38,10 @@ fn main() -> ExitCode {
     std::panic::set_hook(Box::new(|_| {}));
     let mut campaign = Campaign::default();
     let (mut seed, mut shown) = (first, 0);
-    while Instant::now() < until && campaign.failures.len() < most_failures {
+    while begun.elapsed() < longest
+        && (campaign.total.executions.rungs as f64) < executions
+        && campaign.failures.len() < most_failures
+    {
         campaign.run(seed, size(seed), scans);
         for failure in &campaign.failures[shown..] {
             println!("{failure}");
@@ -40,6 +52,9 @@ fn main() -> ExitCode {
     for (reason, (count, seed)) in &campaign.reasons {
         println!("refused {count} (seed {seed}): {reason}");
     }
+    print!("{}", campaign.total.executions);
     println!("seeds {first} to {}: {campaign}", seed.saturating_sub(1));
+    let seconds = begun.elapsed().as_secs_f64();
+    println!("{:.0} rung executions in a second, {seconds:.0} s", campaign.total.executions.rungs as f64 / seconds);
     if campaign.failures.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -15,8 +15,6 @@ pub struct Campaign {
     pub refused: u64,
     /// What the others executed, all together.
     pub total: Counts,
-    /// Rungs times scans.
-    pub rung_executions: u64,
     /// For each finding that refused a program: how many, and the seed of the first.
     pub reasons: BTreeMap<String, (u64, u64)>,
     /// For each seed on which the evaluators disagree: the smallest program found, its stimulus, and their values.
@@ -30,10 +28,7 @@ impl Campaign {
         let stimulus = generate::stimulus(seed, &generated, scans);
         self.programs += 1;
         match replay(&generated.text, &stimulus) {
-            Outcome::Agreed(counts) => {
-                self.total.add(counts);
-                self.rung_executions += counts.scans * generated.rungs() as u64;
-            }
+            Outcome::Agreed(counts) => self.total.add(&counts),
             Outcome::Refused(findings) => {
                 self.refused += 1;
                 if let Some(finding) = findings.into_iter().next() {
@@ -48,7 +43,9 @@ impl Campaign {
                     let kind = if step.prescan { "prescan" } else { "scan" };
                     let values: Vec<String> =
                         step.values.iter().map(|(name, value)| format!("{name} := {value}")).collect();
-                    words.push_str(&format!("  {kind} at {} ms: {}\n", step.now_ms, values.join(", ")));
+                    let system =
+                        step.system_values.map_or(String::new(), |seed| format!("; system values of seed {seed}"));
+                    words.push_str(&format!("  {kind} at {} ms: {}{system}\n", step.now_ms, values.join(", ")));
                 }
                 words.push_str(&smallest);
                 self.failures.push(words);
@@ -59,14 +56,14 @@ impl Campaign {
 
 impl fmt::Display for Campaign {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Counts { scans, faulted, over_budget, cleared, instructions } = self.total;
+        let Counts { scans, faulted, over_budget, cleared, instructions, executions } = &self.total;
         write!(
             f,
             "{} programs, {} refused, {scans} scans ({faulted} faulted, {over_budget} over budget, {cleared} faults cleared), \
              {instructions} instructions, {} rung executions, {} failures",
             self.programs,
             self.refused,
-            self.rung_executions,
+            executions.rungs,
             self.failures.len()
         )
     }

@@ -6,14 +6,18 @@
 #![forbid(unsafe_code)]
 
 mod campaign;
+mod compare;
 mod disagreement;
+mod executions;
 pub mod generate;
+pub mod instructions;
 mod replay;
 mod subject;
 mod trio;
 
 pub use campaign::Campaign;
 pub use disagreement::Disagreement;
+pub use executions::Executions;
 pub use replay::{Counts, Outcome, replay, shrink};
 pub use subject::{Subject, library};
 pub use trio::{Ended, Trio};

@@ -1,15 +1,18 @@
 //! Runs a generated program against its stimulus on all three evaluators, and shrinks what they disagree in.
 
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::generate::{Generated, Stimulus};
-use crate::{Ended, Subject, Trio};
+use twinrung_workbench::Signal;
+
+use crate::generate::{Generated, Random, Stimulus};
+use crate::{Ended, Executions, Subject, Trio};
 
 /// What came of a run.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub enum Outcome {
     /// All three agreed after every scan.
-    Agreed(Counts),
+    Agreed(Box<Counts>),
     /// The compiler refuses the program: its findings.
     Refused(Vec<String>),
     /// They disagree, or one of them panicked: what is to be said about it, and after how many steps.
@@ -22,7 +25,7 @@ pub enum Outcome {
 }
 
 /// How much was executed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Counts {
     /// Scans and prescans.
     pub scans: u64,
@@ -34,16 +37,19 @@ pub struct Counts {
     pub cleared: u64,
     /// Instructions that each evaluator executed.
     pub instructions: u64,
+    /// Rungs and instructions that the primary executed.
+    pub executions: Executions,
 }
 
 impl Counts {
     /// Adds those of another run.
-    pub fn add(&mut self, other: Counts) {
+    pub fn add(&mut self, other: &Counts) {
         self.scans += other.scans;
         self.faulted += other.faulted;
         self.over_budget += other.over_budget;
         self.cleared += other.cleared;
         self.instructions += other.instructions;
+        self.executions.add(&other.executions);
     }
 }
 
@@ -68,11 +74,20 @@ fn run(text: &str, stimulus: &Stimulus, steps: &mut usize) -> Outcome {
     };
     let mut trio = Trio::new(&subject);
     trio.budget = stimulus.budget;
+    trio.count_executions();
     let mut counts = Counts::default();
+    let mut signals: HashMap<&str, Signal> = HashMap::new();
+    let mut values = Vec::new();
     for step in &stimulus.steps {
         *steps += 1;
+        values.clear();
         for (name, value) in &step.values {
-            trio.set(name, *value);
+            let signal = *signals.entry(name).or_insert_with(|| trio.signal(name));
+            values.push((signal, *value));
+        }
+        trio.set_signals(&values);
+        if let Some(seed) = step.system_values {
+            trio.set_system_values(&mut Random::new(seed));
         }
         let ended = if step.prescan { trio.prescan(step.now_ms) } else { trio.scan(step.now_ms) };
         match ended {
@@ -85,7 +100,8 @@ fn run(text: &str, stimulus: &Stimulus, steps: &mut usize) -> Outcome {
     }
     counts.instructions = trio.executed();
     counts.cleared = u64::from(trio.status().cleared_faults);
-    Outcome::Agreed(counts)
+    counts.executions = trio.executions().cloned().unwrap_or_default();
+    Outcome::Agreed(Box::new(counts))
 }
 
 /// The smallest program and stimulus found on which the evaluators still fail, and their report.

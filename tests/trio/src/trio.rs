@@ -1,19 +1,23 @@
 //! The three evaluators side by side.
 
 use twinrung_bytecode::CellRange;
-use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs};
+use twinrung_bytecode::channel::{Channel, Representation, ScanInputs, Status};
 use twinrung_bytecode::image::TagKind;
-use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, TagIndex, WordCell};
+use twinrung_bytecode::index::{BitCell, EventTaskIndex, TagIndex, WordCell};
 use twinrung_bytecode::layout;
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Element;
-use twinrung_compiler::project::TagId;
-use twinrung_judge::{End, Judge};
+use twinrung_catalog::instructions::system::ATTRIBUTES;
+use twinrung_compiler::operand::SystemInstance;
+use twinrung_compiler::project::{ProgramId, TagId};
+use twinrung_judge::Judge;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::{Signal, Value, names};
 
-use crate::disagreement::{Disagreement, LISTED};
+use crate::disagreement::Disagreement;
+use crate::executions::Executions;
+use crate::generate::{Random, any_value};
 use crate::subject::{Subject, library};
 
 /// How a scan ended, all three agreeing.
@@ -29,11 +33,13 @@ pub enum Ended {
 
 /// Three evaluators of one subject.
 pub struct Trio<'s> {
-    subject: &'s Subject,
-    primary: Primary,
-    partner: Partner,
-    judge: Judge<'s>,
-    tags: Vec<(TagId, CellRange)>,
+    pub(crate) subject: &'s Subject,
+    pub(crate) primary: Primary,
+    pub(crate) partner: Partner,
+    pub(crate) judge: Judge<'s>,
+    pub(crate) tags: Vec<(TagId, CellRange)>,
+    /// A second primary that reports what it does, where somebody counts.
+    pub(crate) observed: Option<(Primary, Executions)>,
     system_values: Vec<i32>,
     scans: u64,
     /// Instructions that a scan may execute.
@@ -59,20 +65,64 @@ impl<'s> Trio<'s> {
             subject,
             judge,
             tags,
+            observed: None,
             system_values: vec![0; values],
             scans: 0,
             budget: 10_000_000,
         }
     }
 
+    /// Counts what is executed from here on: a second primary runs with an observer, and is compared with the first, which
+    /// runs without.
+    pub fn count_executions(&mut self) {
+        let primary = Primary::load(&self.subject.image).unwrap_or_else(|error| panic!("primary: {error}"));
+        self.observed = Some((primary, Executions::new(self.subject)));
+    }
+
+    /// What was executed since the counting began.
+    pub fn executions(&self) -> Option<&Executions> {
+        self.observed.as_ref().map(|(_, executions)| executions)
+    }
+
     /// Sets one value in all three, by its full name.
     pub fn set(&mut self, name: &str, value: Value) {
-        let signal = names::signal(&self.subject.image, name).unwrap_or_else(|error| panic!("{error}"));
-        match (signal, value) {
-            (Signal::Bit(cell), value) => self.set_bit(cell, value.is_true()),
-            (Signal::Word(cell, Element::Real), Value::Real(value)) => self.set_word(cell, value.to_bits() as i32),
-            (Signal::Word(cell, _), Value::Integer(value)) => self.set_word(cell, value),
-            (signal, value) => panic!("{name}: {value:?} is no value of {signal:?}"),
+        let signal = self.signal(name);
+        self.set_signals(&[(signal, value)]);
+    }
+
+    /// What a full name stands for: to be looked up once.
+    pub fn signal(&self, name: &str) -> Signal {
+        names::signal(&self.subject.image, name).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// Sets values in all three.
+    pub fn set_signals(&mut self, values: &[(Signal, Value)]) {
+        let mut moved = Vec::with_capacity(values.len());
+        for (signal, value) in values {
+            match (*signal, *value) {
+                (Signal::Bit(cell), value) => self.write_bit(cell, value.is_true()),
+                (Signal::Word(cell, Element::Real), Value::Real(value)) => self.write(cell, value.to_bits() as i32),
+                (Signal::Word(cell, _), Value::Integer(value)) => self.write(cell, value),
+                (signal, value) => panic!("{value:?} is no value of {signal:?}"),
+            }
+            moved.push(*signal);
+        }
+        self.copy_to_judge(&moved);
+    }
+
+    fn write(&mut self, cell: WordCell, value: i32) {
+        self.primary.set_word(cell, value);
+        self.partner.set_word(cell, value);
+        if let Some((observed, _)) = &mut self.observed {
+            observed.set_word(cell, value);
+        }
+    }
+
+    fn write_bit(&mut self, cell: BitCell, value: bool) {
+        self.primary.set_bit(cell, value);
+        self.partner.set_bit(cell, value);
+        if let Some((observed, _)) = &mut self.observed {
+            observed.set_bit(cell, value);
         }
     }
 
@@ -84,36 +134,75 @@ impl<'s> Trio<'s> {
 
     /// Sets a bit cell in all three.
     pub fn set_bit(&mut self, cell: BitCell, value: bool) {
-        self.primary.set_bit(cell, value);
-        self.partner.set_bit(cell, value);
-        self.copy_to_judge(|range| (range.bit_cell..range.bit_cell + range.bit_cells).contains(&cell.0));
+        self.write_bit(cell, value);
+        self.copy_to_judge(&[Signal::Bit(cell)]);
     }
 
     /// Sets a word cell in all three.
     pub fn set_word(&mut self, cell: WordCell, value: i32) {
-        self.primary.set_word(cell, value);
-        self.partner.set_word(cell, value);
-        self.copy_to_judge(|range| (range.word_cell..range.word_cell + range.word_cells).contains(&cell.0));
+        self.write(cell, value);
+        self.copy_to_judge(&[Signal::Word(cell, Element::Dint)]);
     }
 
-    fn copy_to_judge(&mut self, holds: impl Fn(&CellRange) -> bool) {
-        for (tag, range) in self.tags.iter().filter(|(_, range)| holds(range)) {
-            let bits = plain_bits(&self.primary)[range.bit_cell as usize..][..range.bit_cells as usize].to_vec();
-            let words = plain_words(&self.primary)[range.word_cell as usize..][..range.word_cells as usize].to_vec();
-            self.judge.set_tag(*tag, &bits, &words);
+    /// Gives the judge the tags in which values were set, each once.
+    fn copy_to_judge(&mut self, moved: &[Signal]) {
+        let mut positions: Vec<usize> = moved.iter().filter_map(|signal| self.tag_of(*signal)).collect();
+        positions.sort_unstable();
+        positions.dedup();
+        for position in positions {
+            let (tag, range) = &self.tags[position];
+            self.judge.set_tag(*tag, &plain_bits(&self.primary, range), &plain_words(&self.primary, range));
         }
+    }
+
+    fn tag_of(&self, signal: Signal) -> Option<usize> {
+        let holds = |range: &CellRange| match signal {
+            Signal::Bit(cell) => (range.bit_cell..range.bit_cell + range.bit_cells).contains(&cell.0),
+            Signal::Word(cell, _) | Signal::WordBit(cell, _) => {
+                (range.word_cell..range.word_cell + range.word_cells).contains(&cell.0)
+            }
+            _ => false,
+        };
+        self.tags.iter().position(|(_, range)| holds(range))
+    }
+
+    /// Sets what GSV reads in all three, to any values that the attributes' types hold.
+    pub fn set_system_values(&mut self, random: &mut Random) {
+        for record in &self.subject.image.image().system_values {
+            let known = ATTRIBUTES.iter().find(|attribute| attribute.number == record.attribute);
+            let Some(attribute) = known.filter(|attribute| !attribute.writable) else { continue };
+            let value = |random: &mut Random| match any_value(random, attribute.element) {
+                Value::Integer(value) => value,
+                _ => 0,
+            };
+            let values: Vec<i32> = (0..attribute.length).map(|_| value(random)).collect();
+            let first = record.first as usize;
+            self.system_values[first..first + values.len()].copy_from_slice(&values);
+            let instance = match attribute.class {
+                "TASK" => SystemInstance::Task,
+                "PROGRAM" => SystemInstance::Program(self.program_id(record.instance)),
+                "ROUTINE" => SystemInstance::Routine(self.subject.routines[record.instance as usize]),
+                _ => SystemInstance::Controller,
+            };
+            self.judge.set_system_value(attribute.number, instance, values);
+        }
+    }
+
+    /// The program of the project that has this number in the image.
+    fn program_id(&self, number: u32) -> ProgramId {
+        let at = numbers_of_programs(self.subject).iter().position(|one| *one == number);
+        ProgramId(at.unwrap_or_default() as u16)
     }
 
     /// A value, by its full name.
     pub fn value(&self, name: &str) -> Value {
-        let signal = names::signal(&self.subject.image, name).unwrap_or_else(|error| panic!("{error}"));
+        let signal = self.signal(name);
+        let word = |cell: WordCell| plain_word::<Primary>(self.primary.words()[cell.position()]);
         match signal {
-            Signal::Bit(cell) => Value::Bool(plain_bits(&self.primary)[cell.position()] == 1),
-            Signal::Word(cell, Element::Real) => {
-                Value::Real(f32::from_bits(plain_words(&self.primary)[cell.position()] as u32))
-            }
-            Signal::Word(cell, _) => Value::Integer(plain_words(&self.primary)[cell.position()]),
-            Signal::WordBit(cell, bit) => Value::Bool((plain_words(&self.primary)[cell.position()] >> bit) & 1 == 1),
+            Signal::Bit(cell) => Value::Bool(plain_bit::<Primary>(self.primary.bits()[cell.position()]) == 1),
+            Signal::Word(cell, Element::Real) => Value::Real(f32::from_bits(word(cell) as u32)),
+            Signal::Word(cell, _) => Value::Integer(word(cell)),
+            Signal::WordBit(cell, bit) => Value::Bool((word(cell) >> bit) & 1 == 1),
             other => panic!("{other:?} is a value of the controller"),
         }
     }
@@ -129,7 +218,7 @@ impl<'s> Trio<'s> {
     }
 
     /// Status of the channels, after they were found equal.
-    pub fn status(&self) -> twinrung_bytecode::channel::Status {
+    pub fn status(&self) -> Status {
         self.primary.status()
     }
 
@@ -149,6 +238,9 @@ impl<'s> Trio<'s> {
     pub fn prescan(&mut self, now_ms: i64) -> Result<Ended, Disagreement> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
         let ends = (self.primary.prescan(inputs, &mut Silent), self.partner.prescan(inputs, &mut Silent));
+        if let Some((observed, executions)) = &mut self.observed {
+            observed.prescan(inputs, executions);
+        }
         let judged = self.judge.prescan(now_ms, self.budget);
         self.compare(None, ends, judged)
     }
@@ -161,145 +253,33 @@ impl<'s> Trio<'s> {
     pub fn scan(&mut self, now_ms: i64) -> Result<Ended, Disagreement> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
         let ends = (self.primary.scan(inputs, &mut Silent), self.partner.scan(inputs, &mut Silent));
+        if let Some((observed, executions)) = &mut self.observed {
+            observed.scan(inputs, executions);
+        }
         let judged = self.judge.scan(now_ms, self.budget);
         self.scans += 1;
         self.compare(Some(self.scans - 1), ends, judged)
     }
-
-    fn compare(&self, scan: Option<u64>, ends: (ScanEnd, ScanEnd), judged: End) -> Result<Ended, Disagreement> {
-        let mut values = Vec::new();
-        let mut note = |name: String, found: [String; 3]| {
-            if found[0] != found[1] || found[1] != found[2] {
-                values.push((name, found));
-            }
-        };
-        note("end".to_owned(), [end_words(ends.0), end_words(ends.1), judged_words(judged)]);
-        let status = [status_words(&self.primary), status_words(&self.partner), self.judge_status_words()];
-        note("status".to_owned(), status);
-        for program in 0..self.subject.image.image().programs.len() {
-            let index = ProgramIndex(program as u16);
-            let found = [
-                format!("{:?}", self.primary.fault_record(index).unwrap_or_default()),
-                format!("{:?}", self.partner.fault_record(index).unwrap_or_default()),
-                format!("{:?}", self.judge.fault_record(program)),
-            ];
-            note(format!("fault record of program {program}"), found);
-        }
-        for (task, name) in self.subject.image.image().event_tasks.iter().enumerate() {
-            let index = EventTaskIndex(task as u16);
-            let found = [self.primary.events(index), self.partner.events(index), self.judge.events(name)];
-            note(format!("events of {name}"), found.map(|count| count.to_string()));
-        }
-        self.compare_tags(&mut values);
-        values.truncate(LISTED);
-        if values.is_empty() {
-            return Ok(match ends.0 {
-                ScanEnd::Completed => Ended::Completed,
-                ScanEnd::MajorFault(fault) => Ended::Fault(fault.code),
-                ScanEnd::BudgetExceeded => Ended::BudgetExceeded,
-            });
-        }
-        Err(Disagreement { scan, values })
-    }
-
-    fn compare_tags(&self, values: &mut Vec<(String, [String; 3])>) {
-        let (bits, words) = (plain_bits(&self.primary), plain_words(&self.primary));
-        let (other_bits, other_words) = (plain_bits(&self.partner), plain_words(&self.partner));
-        for (tag, range) in &self.tags {
-            let Some((judged_bits, judged_words)) = self.judge.tag(*tag) else { continue };
-            let at = range.bit_cell as usize..(range.bit_cell + range.bit_cells) as usize;
-            let same_bits = bits[at.clone()] == judged_bits && other_bits[at.clone()] == judged_bits;
-            let word_at = range.word_cell as usize..(range.word_cell + range.word_cells) as usize;
-            let same_words = words[word_at.clone()] == judged_words && other_words[word_at.clone()] == judged_words;
-            if same_bits && same_words {
-                continue;
-            }
-            for (name, signal) in names::values_of(&self.subject.image, range.tag) {
-                let found = match signal {
-                    Signal::Bit(cell) => {
-                        let offset = cell.position() - at.start;
-                        [bits[cell.position()], other_bits[cell.position()], judged_bits[offset]].map(i32::from)
-                    }
-                    Signal::Word(cell, _) => {
-                        let offset = cell.position() - word_at.start;
-                        [words[cell.position()], other_words[cell.position()], judged_words[offset]]
-                    }
-                    _ => continue,
-                };
-                if found[0] != found[1] || found[1] != found[2] {
-                    values.push((name, found.map(|value| format!("{value} (16#{value:08x})"))));
-                }
-                if values.len() >= LISTED {
-                    return;
-                }
-            }
-        }
-    }
-
-    fn judge_status_words(&self) -> String {
-        let flags = self.judge.flags();
-        words_of_status(
-            [flags.first_scan, flags.overflow, flags.zero, flags.negative, flags.carry, flags.minor_fault],
-            [u64::from(flags.minor_faults), flags.executed, u64::from(flags.cleared_faults)],
-        )
-    }
 }
 
-fn status_words(channel: &impl Channel) -> String {
-    let status = channel.status();
-    words_of_status(
-        [status.first_scan, status.overflow, status.zero, status.negative, status.carry, status.minor_fault],
-        [u64::from(status.minor_faults), status.executed, u64::from(status.cleared_faults)],
-    )
+pub(crate) fn plain_bit<C: Channel>(byte: u8) -> u8 {
+    if C::REPRESENTATION == Representation::Plain { byte } else { !byte }
 }
 
-fn words_of_status(flags: [bool; 6], counts: [u64; 3]) -> String {
-    let flags: Vec<&str> = ["FS", "V", "Z", "N", "C", "MINOR"]
-        .into_iter()
-        .zip(flags)
-        .filter(|(_, on)| *on)
-        .map(|(name, _)| name)
-        .collect();
-    let [minor, executed, cleared] = counts;
-    format!("[{}] minor {minor} executed {executed} cleared {cleared}", flags.join(" "))
+pub(crate) fn plain_word<C: Channel>(word: u32) -> i32 {
+    (if C::REPRESENTATION == Representation::Plain { word } else { !word }) as i32
 }
 
-fn end_words(end: ScanEnd) -> String {
-    match end {
-        ScanEnd::Completed => "completed".to_owned(),
-        ScanEnd::BudgetExceeded => "budget exceeded".to_owned(),
-        ScanEnd::MajorFault(fault) => fault_words(
-            fault.code,
-            [u32::from(fault.place.program.0), fault.place.routine.0, fault.place.rung, fault.place.element],
-        ),
-    }
+/// The bits of a tag.
+pub(crate) fn plain_bits<C: Channel>(channel: &C, range: &CellRange) -> Vec<u8> {
+    let bits = &channel.bits()[range.bit_cell as usize..][..range.bit_cells as usize];
+    bits.iter().copied().map(plain_bit::<C>).collect()
 }
 
-fn judged_words(end: End) -> String {
-    match end {
-        End::Completed => "completed".to_owned(),
-        End::BudgetExceeded => "budget exceeded".to_owned(),
-        End::MajorFault(fault) => fault_words(fault.code, fault.place),
-    }
-}
-
-fn fault_words(code: u16, place: [u32; 4]) -> String {
-    let [program, routine, rung, element] = place;
-    format!("fault 4/{code} at program {program}, routine {routine}, rung {rung}, element {element}")
-}
-
-fn plain_bits<C: Channel>(channel: &C) -> Vec<u8> {
-    match C::REPRESENTATION {
-        Representation::Plain => channel.bits().to_vec(),
-        Representation::Complemented => channel.bits().iter().map(|byte| !byte).collect(),
-    }
-}
-
-fn plain_words<C: Channel>(channel: &C) -> Vec<i32> {
-    match C::REPRESENTATION {
-        Representation::Plain => channel.words().iter().map(|word| *word as i32).collect(),
-        Representation::Complemented => channel.words().iter().map(|word| !*word as i32).collect(),
-    }
+/// The words of a tag.
+pub(crate) fn plain_words<C: Channel>(channel: &C, range: &CellRange) -> Vec<i32> {
+    let words = &channel.words()[range.word_cell as usize..][..range.word_cells as usize];
+    words.iter().copied().map(plain_word::<C>).collect()
 }
 
 /// Which tag of the checked project holds which cells.

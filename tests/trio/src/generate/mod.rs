@@ -38,6 +38,11 @@ impl Size {
     pub const SMALL: Size = Size { rungs: 16, programs: 2, subroutines: 2, add_ons: 2 };
     /// Some 150 rungs: what a long run uses.
     pub const LARGE: Size = Size { rungs: 80, programs: 2, subroutines: 3, add_ons: 3 };
+
+    /// So many rungs in each main routine, at least one.
+    pub fn of_rungs(rungs: usize) -> Size {
+        Size { rungs: rungs.max(1), ..Size::LARGE }
+    }
 }
 
 /// A tag that the stimulus drives.
@@ -58,11 +63,4 @@ pub struct Generated {
     pub text: String,
     /// The tags that a stimulus drives.
     pub inputs: Vec<Input>,
-}
-
-impl Generated {
-    /// How many rungs the text has.
-    pub fn rungs(&self) -> usize {
-        self.text.lines().filter(|line| line.trim_start().starts_with("N:")).count()
-    }
 }

@@ -15,6 +15,8 @@ pub struct Step {
     pub prescan: bool,
     /// Values that are set before it.
     pub values: Vec<(String, Value)>,
+    /// The seed of new system values, where GSV reads others from here on.
+    pub system_values: Option<u64>,
 }
 
 /// All scans of a run.
@@ -36,7 +38,9 @@ pub fn stimulus(seed: u64, generated: &Generated, scans: usize) -> Stimulus {
     for scan in 0..=scans {
         let values =
             if scan == 0 { first_values(&mut random, generated) } else { moved(&mut random, generated, &mut beyond) };
-        steps.push(Step { now_ms, prescan: scan == 0 || random.one_in(200), values });
+        let prescan = scan == 0 || random.one_in(200);
+        let system_values = random.one_in(10).then(|| random.bits());
+        steps.push(Step { now_ms, prescan, values, system_values });
         now_ms += match random.below(200) {
             0 => 0,
             1 => 1,
