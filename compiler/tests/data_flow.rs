@@ -318,7 +318,7 @@ const PARAMETER: &str = "LES(W,V)OTE(Motor)\nXIC(Safe)ADD(W,1,W)";
 
 #[test]
 fn parameter_when_the_whole_sequence_is_kept_then_accepted() {
-    accepted(&format!("EQU(Num,Num2)LIM(1,Num,100)XIC(Ack)ONS(Edge)MOV(Num,V)\n{PARAMETER}"));
+    accepted(&format!("XIC(Ack)ONS(Edge)EQU(Num,Num2)LIM(1,Num,100)MOV(Num,V)\n{PARAMETER}"));
     accepted(&format!(
         "EQU(Num,Num2)OTE(A)\nGEQ(Num,1)LEQ(Num2,100)OTE(B)\nXIC(Ack)OSR(Edge,C)\nXIC(A)XIC(B)XIC(C)MOV(Num,V)\n{PARAMETER}"
     ));
@@ -327,13 +327,14 @@ fn parameter_when_the_whole_sequence_is_kept_then_accepted() {
 #[test]
 fn parameter_when_a_step_of_the_sequence_is_missing_then_refused() {
     let without = |rung: &str| on_rungs(&format!("{rung}\n{PARAMETER}"));
-    assert_eq!(without("LIM(1,Num,100)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
-    assert_eq!(without("EQU(Num,Num2)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
-    assert_eq!(without("EQU(Num,Num2)GEQ(Num,1)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
-    assert_eq!(without("EQU(Num,Num2)LIM(1,Num,Num2)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("XIC(Ack)ONS(Edge)LIM(1,Num,100)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("XIC(Ack)ONS(Edge)EQU(Num,Num2)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("XIC(Ack)ONS(Edge)EQU(Num,Num2)GEQ(Num,1)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("XIC(Ack)ONS(Edge)EQU(Num,Num2)LIM(1,Num,Num2)MOV(Num,V)"), ["S0704 Num"]);
     assert_eq!(without("EQU(Num,Num2)LIM(1,Num,100)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("EQU(Num,Num2)LIM(1,Num,100)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
     assert_eq!(without("EQU(Num,Num2)LIM(1,Num,100)XIC(Ack)MOV(Num,V)"), ["S0704 Num"]);
-    assert_eq!(without("[EQU(Num,Num2) ,]LIM(1,Num,100)XIC(Ack)ONS(Edge)MOV(Num,V)"), ["S0704 Num"]);
+    assert_eq!(without("XIC(Ack)ONS(Edge)[EQU(Num,Num2) ,]LIM(1,Num,100)MOV(Num,V)"), ["S0704 Num"]);
 }
 
 #[test]

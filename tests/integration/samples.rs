@@ -101,6 +101,11 @@ fn locked_gate_when_run_then_it_gives_its_recording() {
     expect_recording("locked-gate");
 }
 
+#[test]
+fn parameter_from_terminal_when_run_then_it_gives_its_recording() {
+    expect_recording("parameter-from-terminal");
+}
+
 fn samples() -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(project_path("samples"))
         .unwrap()

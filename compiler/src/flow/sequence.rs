@@ -103,9 +103,10 @@ impl<'a> Reader<'a> {
     fn conditions(&self, rung: &'a Rung, instruction: &'a Instruction, depth: usize, out: &mut Conditions<'a>) {
         let mut list = Vec::new();
         before(&rung.elements, instruction, &mut list);
+        let begin = out.list.len();
         for one in list {
             match one.call.opcode() {
-                Some(Opcode::Ons) => out.one_shot = true,
+                Some(Opcode::Ons) => out.one_shot |= examines_bits(&out.list[begin..]),
                 Some(Opcode::Xic) => {
                     let key = one
                         .operands
@@ -114,8 +115,11 @@ impl<'a> Reader<'a> {
                         .and_then(|reference| Some((reference.base_tag()?, usage::cell(reference)?)));
                     match key.and_then(|key| self.coils.get(&key)) {
                         Some(Some((rung, coil))) if depth < DEPTH && !std::ptr::eq(*coil, instruction) => {
-                            out.one_shot |= coil.call.opcode() == Some(Opcode::Osr);
+                            let before = out.list.len();
                             self.conditions(rung, coil, depth + 1, out);
+                            if coil.call.opcode() == Some(Opcode::Osr) {
+                                out.one_shot |= examines_bits(&out.list[before..]);
+                            }
                         }
                         _ => out.list.push(one),
                     }
@@ -148,7 +152,7 @@ impl<'a> Reader<'a> {
         if !conditions.list.iter().any(|one| self.acknowledges(one)) {
             missing.push("let the operator acknowledge it after both tags were read back (XIC of a bit that the terminal writes)");
         } else if !conditions.one_shot {
-            missing.push("take the acknowledgement by its rising edge (ONS)");
+            missing.push("take the acknowledgement by its own rising edge: XIC of it and ONS first on the rung, the comparisons after");
         }
         missing
     }
@@ -214,6 +218,12 @@ impl<'a> Reader<'a> {
                     || matches!(self.project.tag(tag).kind, TagKind::ModuleInput(_) | TagKind::Consumed)
             })
     }
+}
+
+/// Whether nothing but bits stands before a one-shot: else it would also rise when the values become equal while the
+/// acknowledgement is held.
+fn examines_bits(before: &[&Instruction]) -> bool {
+    !before.is_empty() && before.iter().all(|one| matches!(one.call.opcode(), Some(Opcode::Xic | Opcode::Xio)))
 }
 
 fn same(left: &Reference, right: &Reference) -> bool {
