@@ -76,6 +76,7 @@ fn standard_bit_when_in_a_leg_of_its_own_then_refused() {
 #[test]
 fn connection_state_when_in_series_then_it_qualifies_nothing() {
     refused("XIC(Std)XIO(In:I.ConnectionFaulted)XIC(In:I.RunMode)OTE(Motor)", &["S0701 Std"]);
+    refused("XIC(Std)XIC(In:I.CombinedInputStatus)XIC(Out:I.CombinedOutputStatus)OTE(Motor)", &["S0701 Std"]);
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod freestanding;
 mod house;
 mod idioms;
 mod image_bits;
+mod mutations;
 mod plant_program;
 mod refused;
 mod samples;

@@ -3,7 +3,7 @@
 use twinrung_bytecode::image::TypeReference;
 use twinrung_bytecode::layout::elements;
 use twinrung_catalog::Element;
-use twinrung_catalog::modules::{MemberClass, class_of_input};
+use twinrung_catalog::modules::{MemberClass, class_of_input, is_status};
 
 use super::kinds::Kinds;
 use super::places::{Key, Part};
@@ -71,6 +71,8 @@ impl Origins {
             };
             origins.add(project, TagId(at as u32), tag, |member| match module {
                 Some(module) => match class_of_input(&module.catalog_number, member) {
+                    // A status says that data is valid: it is watched, and qualifies nothing.
+                    MemberClass::Safety if is_status(member) => Kinds::NEUTRAL,
                     // A standard device is connected to the point.
                     MemberClass::Safety if module.is_standard(member) => Kinds::UNQUALIFIED,
                     MemberClass::Safety => Kinds::SAFETY,

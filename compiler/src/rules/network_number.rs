@@ -20,7 +20,8 @@ pub(crate) fn bytes(text: &str) -> Option<u64> {
     let groups: Vec<&str> = digits.split('_').collect();
     let plain: String = groups.concat();
     let shaped = groups.len() == 1 || groups.iter().all(|group| group.len() == 4);
-    if !shaped || plain.len() > 16 {
+    // Sixteen digits as an export has them, or the twelve of the six bytes.
+    if !shaped || !matches!(plain.len(), 12 | 16) {
         return None;
     }
     let value = u64::from_str_radix(&plain, 16).ok()?;

@@ -311,6 +311,12 @@ pub fn class_of_input(catalog_number: &str, member: &str) -> MemberClass {
     }
 }
 
+/// Whether a member of a module's input tag says that data is valid, and not what a device says.
+pub fn is_status(member: &str) -> bool {
+    let at = member.len().saturating_sub("Status".len());
+    member.get(at..).is_some_and(|end| end.eq_ignore_ascii_case("Status"))
+}
+
 /// Whether a member of a module's output tag switches a safety output; test outputs do not.
 pub fn is_safety_output(catalog_number: &str, member: &str) -> bool {
     let known = Module::by_catalog_number(catalog_number).and_then(|module| {
