@@ -6,10 +6,13 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use twinrung_bytecode::{AdmittedImage, ImageError, admit, bound};
-use twinrung_compiler::diagnostic::Finding;
+use twinrung_compiler::diagnostic::{Finding, OVER_LIMIT};
+use twinrung_compiler::lower::is_limit;
 use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
 use twinrung_grammar::read_path;
-use twinrung_grammar::tree::Sources;
+use twinrung_grammar::tree::{File, Sources};
+
+use crate::findings::Report;
 
 /// What completes a partial export.
 #[derive(Debug, Clone, Default, Args)]
@@ -41,6 +44,8 @@ pub enum InputError {
     Controller(String),
     /// An image that the loader refuses.
     Image(PathBuf, ImageError),
+    /// A checked project beyond a limit that only the whole image has.
+    Limit(String),
     /// A checked project that does not compile: a defect of ours.
     Defect(String),
     /// A scan of the image can execute more than its watchdog allows.
@@ -62,6 +67,7 @@ impl fmt::Display for InputError {
                 write!(f, "--controller takes a catalogue number and a major revision, as 1756-L73S/20; found `{text}`")
             }
             InputError::Image(path, error) => write!(f, "{}: the image is refused: {error}", path.display()),
+            InputError::Limit(message) => write!(f, "E0108: {message}"),
             InputError::Defect(message) => write!(f, "a defect of this tool: {message}"),
             InputError::Bound(error) => write!(f, "{error}"),
             InputError::Unexpected { expected, found } => {
@@ -77,10 +83,19 @@ impl std::error::Error for InputError {}
 pub struct Read {
     /// The files.
     pub sources: Sources,
+    /// Their trees: the project, then what completes it.
+    pub trees: Vec<File>,
     /// What was found, ordered.
     pub findings: Vec<Finding>,
     /// The project, when nothing keeps it from being compiled.
     pub project: Option<CheckedProject>,
+}
+
+impl Read {
+    /// The findings with what they point into.
+    pub fn report(&self) -> Report<'_> {
+        Report { sources: &self.sources, trees: &self.trees, findings: &self.findings }
+    }
 }
 
 /// What FILE turned out to be.
@@ -146,7 +161,8 @@ pub fn open(path: &Path, complete: &Complete) -> Result<Input, InputError> {
     let checked = check(&reading, &completion);
     findings.extend(checked.findings);
     let project = checked.project.filter(|_| !findings.iter().any(Finding::is_error));
-    Ok(Input::Project(Box::new(Read { sources, findings, project })))
+    let trees = std::iter::once(reading.file).chain(completion.contexts).collect();
+    Ok(Input::Project(Box::new(Read { sources, trees, findings, project })))
 }
 
 fn is_image(path: &Path) -> Result<bool, InputError> {
@@ -166,14 +182,19 @@ pub fn read_text(name: &Path, text: &str) -> Read {
     let mut sources = Sources::new();
     let reading = twinrung_grammar::read(&mut sources, name, text.as_bytes().to_vec());
     let checked = check(&reading, &Completion::default());
-    Read { sources, findings: checked.findings, project: checked.project }
+    Read { sources, trees: vec![reading.file], findings: checked.findings, project: checked.project }
 }
 
 /// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
 pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
-    let compiled = compile(project).map_err(|finding| InputError::Defect(finding.message))?;
-    let image =
-        admit(&compiled.bytes).map_err(|error| InputError::Image(PathBuf::from("the compiled image"), error))?;
+    let compiled = compile(project).map_err(|finding| match finding.code.id {
+        id if id == OVER_LIMIT.id => InputError::Limit(finding.message),
+        _ => InputError::Defect(finding.message),
+    })?;
+    let image = admit(&compiled.bytes).map_err(|error| match is_limit(&error) {
+        true => InputError::Limit(format!("the project is larger than an image can be: {error}")),
+        false => InputError::Image(PathBuf::from("the compiled image"), error),
+    })?;
     let bytes = compiled.bytes.clone();
     Ok((compiled, Loaded { image, bytes }))
 }

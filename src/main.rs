@@ -5,6 +5,7 @@
 mod files;
 mod findings;
 mod input;
+mod ladder;
 mod terminal;
 mod verb;
 
@@ -33,6 +34,8 @@ struct Command {
 enum Verb {
     /// Verify a project against the safety rules
     Check(verb::check::Check),
+    /// Fill in the checklists of the safety reference manual from a project
+    Checklist(verb::checklist::Checklist),
     /// Verify, compile and sign; prints the signatures
     Build(verb::build::Build),
     /// Run scans on both interpreters and record what happened
@@ -55,6 +58,7 @@ const UNREADABLE: u8 = 2;
 fn main() -> ExitCode {
     let outcome = match Command::parse().verb {
         Verb::Check(arguments) => verb::check::run(&arguments),
+        Verb::Checklist(arguments) => verb::checklist::run(&arguments),
         Verb::Build(arguments) => verb::build::run(&arguments),
         Verb::Run(arguments) => verb::run::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),

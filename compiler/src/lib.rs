@@ -20,6 +20,7 @@ pub mod names;
 pub mod operand;
 pub mod project;
 pub mod rules;
+mod suppression;
 
 pub use completion::Completion;
 pub use diagnostic::{Code, Finding, Severity};
@@ -27,7 +28,7 @@ pub use library::{LibraryError, check_library, compile_library};
 pub use lower::{CompiledImage, compile};
 pub use project::Project;
 
-use diagnostic::{Findings, reading_finding};
+use diagnostic::{Findings, RungIndex, reading_finding};
 use twinrung_grammar::Reading;
 use twinrung_grammar::tree::ErrorKind;
 
@@ -86,6 +87,10 @@ pub(crate) fn check_inputs(reading: &Reading, completion: &Completion, library: 
     let in_rungs = |kind: ErrorKind| matches!(kind, ErrorKind::MalformedRung | ErrorKind::UnknownRungKind);
     if reading.errors.iter().any(|error| !in_rungs(error.kind)) {
         findings.retain(|finding| !finding.code.id.starts_with("E02"));
+    }
+    suppression::apply(&reading.file, &completion.contexts, &mut findings);
+    if !findings.is_empty() {
+        findings.place(&RungIndex::new(std::iter::once(&reading.file).chain(&completion.contexts)));
     }
     let has_errors = findings.has_errors();
     let project = (!has_errors).then_some(CheckedProject { project });

@@ -82,6 +82,8 @@ MOV(V[A+V[B-1,0],C*2],A)
 XIC(A.[B AND 7])OTE(X)
 CMP((A=B) AND (B<>C))OTE(X)
 CPT(R,R*1.0e-3+2)
+CPT(A,-(2#1010)*B- -(16#8000_0000))
+CPT(R,R*-(1.5))
 SIZE(V,1,A)";
     let text = support::project(
         "",

@@ -95,6 +95,59 @@ fn rungs_when_empty_then_reported() {
 }
 
 #[test]
+fn rungs_when_their_branches_hold_no_instruction_then_reported_as_empty() {
+    for rung in ["<<[];>>", "<<[ ,[]];>>", "<<[,];>>", "<<[[ , ] ,[[]]];>>"] {
+        let text = project("", TAGS, "OTE(X)", "").replace("N: OTE(X);", &format!("N: OTE(X);\n      N: {rung}"));
+        refused(&text, &["E0406"]);
+    }
+}
+
+#[test]
+fn data_types_when_their_bits_leave_gaps_or_change_hosts_early_then_refused() {
+    let refuse = |members: &str| {
+        let types = format!("  DATATYPE Flags_T (FamilyType := NoFamily)\n{members}\n  END_DATATYPE\n");
+        let tags = "    F : Flags_T (Class := Safety);\n    X : BOOL (Class := Safety);";
+        refused(&project(&types, tags, "OTE(X)", ""), &["E0307"]);
+    };
+    refuse("    SINT Z (Hidden := 1);\n    BIT First Z : 0;\n    BIT Third Z : <<2>>;");
+    refuse("    SINT Z (Hidden := 1);\n    BIT First Z : <<1>>;");
+    refuse("    SINT Z (Hidden := 1);\n    BIT First Z : 0;\n    SINT <<Y>> (Hidden := 1);\n    BIT Second Y : 0;");
+    refuse("    <<INT>> Z (Hidden := 1);\n    BIT First Z : 0;");
+    refuse("    SINT Z;\n    BIT First <<Z>> : 0;");
+    refuse("    SINT <<Z>> (Hidden := 1);\n    DINT Count;");
+}
+
+#[test]
+fn data_types_when_faulty_and_used_by_many_tags_then_reported_once() {
+    let types = "  DATATYPE Axis_T (FamilyType := NoFamily)\n    <<Nothing_T>> Inner;\n  END_DATATYPE\n";
+    let tags =
+        "    F, G : Axis_T (Class := Safety);\n    H : Axis_T[3] (Class := Safety);\n    X : BOOL (Class := Safety);";
+    refused(&project(types, tags, "XIC(F.Inner)OTE(X)", ""), &["E0203"]);
+}
+
+#[test]
+fn negations_when_of_a_literal_in_parentheses_then_admitted_and_of_a_bare_bit_pattern_then_refused() {
+    support::admitted(&project("", TAGS, "CPT(A,-(2#1010)*B)\nCPT(A,B-(-(16#8000_0000)))\nCPT(A,-(-(5)))", ""));
+    on_rungs(TAGS, "CPT(A,<<-2#1010>>*B)", &["E0305"]);
+}
+
+#[test]
+fn outputs_when_they_name_no_single_safety_value_then_each_is_reported() {
+    let tags = format!("{TAGS}\n    Lamp : BOOL;");
+    let text = project("", &tags, "XIC(X)OTE(Y)", "");
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", &text);
+    let names = ["Y", "A.3", "V[2]", "T.DN", "Yy", "V", "Lamp", "Program:Safety_Man.X", "T.Nothing", "A B"];
+    let outputs = names.iter().map(ToString::to_string).collect();
+    let checked = check(&reading, &Completion { outputs, ..Completion::default() });
+    let errors: Vec<&str> =
+        checked.findings.iter().filter(|finding| finding.is_error()).map(|finding| finding.message.as_str()).collect();
+    let named: Vec<&str> = errors.iter().filter_map(|message| message.split('`').nth(1)).collect();
+    assert_eq!(named, ["A B", "Yy", "T.Nothing", "Program:Safety_Man.X", "V", "Lamp"], "{errors:#?}");
+    assert!(checked.findings.iter().all(|finding| !finding.is_error() || finding.help.is_some()));
+}
+
+#[test]
 fn values_when_they_do_not_fit_then_reported() {
     on_rungs("    W : SINT (Class := Safety) := <<300>>;\n    X : BOOL (Class := Safety);", "OTE(X)", &["E0309"]);
 }

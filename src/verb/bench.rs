@@ -156,7 +156,7 @@ fn loaded(arguments: &Bench, terminal: Terminal) -> io::Result<Option<Loaded>> {
 
 fn project(path: &std::path::Path, read: input::Read, terminal: Terminal) -> io::Result<Option<Loaded>> {
     let Some(project) = &read.project else {
-        findings::print_human(&mut io::stdout(), &read.sources, &read.findings, terminal, false)?;
+        findings::print_human(&mut io::stdout(), &read.report(), terminal, false)?;
         let count = findings::Count::of(&read.findings);
         println!("{}: {}; nothing was measured", path.display(), findings::summary(count));
         return Ok(None);

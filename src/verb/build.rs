@@ -37,7 +37,7 @@ pub fn run(arguments: &Build) -> io::Result<ExitCode> {
     let Input::Project(read) = input::open(&arguments.file, &arguments.complete).map_err(failed)? else {
         return Err(io::Error::other(format!("{} is an image already", arguments.file.display())));
     };
-    findings::print_human(&mut out, &read.sources, &read.findings, Terminal::of_stdout(), false)?;
+    findings::print_human(&mut out, &read.report(), Terminal::of_stdout(), false)?;
     let Some(project) = &read.project else {
         writeln!(
             out,

@@ -56,7 +56,7 @@ fn open(out: &mut dyn Write, path: &Path, complete: &Complete) -> io::Result<Opt
         Input::Project(read) => match &read.project {
             Some(project) => input::compiled(project).map(|(_, loaded)| Some(loaded)).map_err(failed),
             None => {
-                findings::print_human(out, &read.sources, &read.findings, Terminal::of_stdout(), false)?;
+                findings::print_human(out, &read.report(), Terminal::of_stdout(), false)?;
                 writeln!(out, "{}: {}", path.display(), findings::summary(Count::of(&read.findings)))?;
                 Ok(None)
             }

@@ -55,7 +55,9 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
     let reading = read_path(&mut sources, path);
     if !reading.errors.is_empty() {
         let found: Vec<_> = reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding).collect();
-        findings::print_human(&mut io::stderr(), &sources, &found, Terminal::of_stdout(), true)?;
+        let trees = std::slice::from_ref(&reading.file);
+        let report = findings::Report { sources: &sources, trees, findings: &found };
+        findings::print_human(&mut io::stderr(), &report, Terminal::of_stdout(), true)?;
         return Err(failed(Unformatted(path.display().to_string())));
     }
     let after = print_file(&reading.file);

@@ -120,13 +120,13 @@ fn loaded(arguments: &Run, terminal: Terminal) -> io::Result<Option<Loaded>> {
         Input::Image(loaded) => Ok(Some(*loaded)),
         Input::Project(read) => {
             let Some(project) = &read.project else {
-                findings::print_human(&mut io::stdout(), &read.sources, &read.findings, terminal, false)?;
+                findings::print_human(&mut io::stdout(), &read.report(), terminal, false)?;
                 let count = findings::Count::of(&read.findings);
                 println!("{}: {}; nothing was run", arguments.file.display(), findings::summary(count));
                 return Ok(None);
             };
             let count = findings::Count::of(&read.findings);
-            if count.warnings > 0 {
+            if count.warnings + count.suppressed > 0 {
                 let path = arguments.file.display();
                 eprintln!("{path}: {} (twinrung check {path} shows them)", findings::summary(count));
             }

@@ -49,7 +49,7 @@ pub fn run(arguments: &Show) -> io::Result<ExitCode> {
         Input::Image(loaded) => *loaded,
         Input::Project(read) => {
             let Some(project) = &read.project else {
-                findings::print_human(&mut out, &read.sources, &read.findings, Terminal::of_stdout(), false)?;
+                findings::print_human(&mut out, &read.report(), Terminal::of_stdout(), false)?;
                 writeln!(out, "{}: {}", arguments.file.display(), findings::summary(Count::of(&read.findings)))?;
                 return Ok(ExitCode::from(1));
             };

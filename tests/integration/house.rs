@@ -24,11 +24,13 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         &["twinrung-controller", "twinrung-compiler", "twinrung-bytecode", "twinrung-catalog", "twinrung-grammar"],
         &[],
     ),
+    ("twinrung-hostile", &["twinrung-bytecode", "twinrung-compiler", "twinrung-controller", "twinrung-grammar"], &[]),
     (
         "twinrung-judge",
         &["twinrung-compiler", "twinrung-grammar", "twinrung-catalog", "twinrung-bytecode", "twinrung-safety-partner"],
         &[],
     ),
+    ("twinrung-sarif", &[], &[]),
     (
         "twinrung-trio",
         &[
@@ -212,4 +214,16 @@ fn requirements_when_the_tests_are_searched_then_each_is_named_by_one_and_none_i
     assert!(!declared.is_empty());
     assert!(without.is_empty(), "requirements without a test: {without:#?}");
     assert!(unknown.is_empty(), "tests name requirements that no specification has: {unknown:#?}");
+}
+
+#[test]
+fn limits_when_declared_then_the_page_on_limits_names_each_of_them() {
+    let page = read(&root().join("docs/limits.md"));
+    let mut missing = Vec::new();
+    for path in ["grammar/src/limits.rs", "vm/bytecode/src/limits.rs"] {
+        let text = read(&root().join(path));
+        let names = text.lines().filter_map(|line| line.strip_prefix("pub const ")?.split(':').next());
+        missing.extend(names.filter(|name| !page.contains(&format!("`{name}`"))).map(str::to_owned));
+    }
+    assert!(missing.is_empty(), "not on the page: {missing:?}");
 }

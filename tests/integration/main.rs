@@ -3,8 +3,11 @@
 mod bench;
 mod bench_mixes;
 mod bound;
+mod checklists;
+mod command;
 mod corpus;
 mod freestanding;
+mod hostile;
 mod house;
 mod idioms;
 mod image_bits;
@@ -14,4 +17,5 @@ mod refused;
 mod samples;
 mod support;
 mod vectors;
+mod verdict;
 mod wrong_instruction;

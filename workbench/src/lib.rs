@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bench;
+pub mod checklist;
 pub mod diagram;
 pub mod drive;
 pub mod instruction_rungs;

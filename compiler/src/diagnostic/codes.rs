@@ -16,7 +16,7 @@ macro_rules! codes {
                 bad: "",
             };
         )*
-        pub(super) static HERE: &[&Code] = &[$(&$name,)*];
+        pub(super) static HERE: &[&Code] = &[$(&$name,)* &UNUSED_SUPPRESSION];
     };
 }
 
@@ -107,7 +107,7 @@ codes! {
         "dual-channel-inputs.md 1.3";
     /// A value out of range.
     VALUE_RANGE = "E0305", "a value is out of range",
-        "The value is not one that fits its type or its operand.", "general-instructions.md 2.1";
+        "A number has the range of what takes it: SINT -128 to 127, INT -32768 to 32767, DINT and every literal in logic 32 bits, a preset 0 or more, and each operand of a safety instruction a range of its own (a discrepancy time 5 to 3000 ms). Write a value within the range that the message names; `twinrung explain DCS` lists those of DCS.", "general-instructions.md 2.1";
     /// A subscript out of range.
     SUBSCRIPT_RANGE = "E0306", "a subscript is out of range",
         "Elements count from 0, bits of a SINT, INT, DINT from 0 to 7, 15, 31. A constant beyond the end would be the major fault 4/20 when it is executed.",
@@ -153,6 +153,11 @@ codes! {
         "An Add-On Instruction has a routine Logic in ladder, parameters Input, Output or InOut, and nothing of another class than its own.",
         "neutral-text-and-l5x.md D.8";
 
+    /// A suppression that is not admitted.
+    BAD_SUPPRESSION = "E0411", "a suppression is not admitted",
+        "A suppression accepts a warning and says why: `allow W0101: the last coil is meant to decide`. It stands in a comment of the source, in a rung comment or in a description, and covers the rung or declaration there. It needs the code of a warning and a reason; an error is mended, not suppressed.",
+        "decided";
+
     /// Something that this tool did wrong.
     DEFECT = "D0001", "a defect of this tool",
         "The project was found correct, and still no image came of it. This is a fault of this tool, not of the project: please report it with the file.",
@@ -161,3 +166,14 @@ codes! {
     TOO_MANY_FINDINGS = "E0109", "more findings than are listed",
         "Only the first findings of a run are listed. Mend those and check again.", "limits of the compiler";
 }
+
+/// A suppression that covers nothing.
+pub static UNUSED_SUPPRESSION: Code = Code {
+    id: "W0901",
+    severity: Severity::Warning,
+    title: "a suppression covers nothing",
+    explanation: "The rung or declaration gives no warning of the code that is suppressed there: what was accepted has been mended or moved. Delete the suppression, so that it does not hide the same warning one day later.",
+    citation: "decided",
+    good: "",
+    bad: "",
+};

@@ -3,10 +3,12 @@
 mod codes;
 mod reading;
 mod remedy;
+mod rungs;
 mod table;
 
 pub use codes::*;
 pub use reading::reading_finding;
+pub use rungs::{PlacedRung, RungIndex};
 pub use table::{ALL, by_id};
 
 use twinrung_grammar::tree::Span;
@@ -86,6 +88,8 @@ pub struct Finding {
     pub help: Option<String>,
     /// The rung that it is about.
     pub rung: Option<Box<RungPlace>>,
+    /// Why somebody accepts it, where a suppression covers it. It is listed in every report and weighs nothing.
+    pub accepted: Option<Box<str>>,
 }
 
 impl Finding {
@@ -99,6 +103,7 @@ impl Finding {
             labels: Vec::new(),
             help: None,
             rung: None,
+            accepted: None,
         }
     }
 
@@ -147,20 +152,26 @@ impl Findings {
         }
     }
 
-    /// Says of the findings from `begin` on which rung they are about.
-    pub fn place(&mut self, begin: usize, routine: &str, rung: u32, span: Span) {
-        for finding in self.list.iter_mut().skip(begin) {
-            // The fault of a declaration that a rung uses stands where it was declared.
-            let here = finding.span.source == span.source && (span.start..=span.end).contains(&finding.span.start);
-            if here {
-                finding.rung = Some(Box::new(RungPlace { routine: routine.to_owned(), rung, span }));
-            }
-        }
+    /// Says of every finding on which rung it is.
+    pub fn place(&mut self, rungs: &RungIndex<'_>) {
+        self.list.iter_mut().for_each(|finding| rungs.place(finding));
     }
 
     /// Leaves out the findings for which `keep` is false.
     pub fn retain(&mut self, keep: impl FnMut(&Finding) -> bool) {
         self.list.retain(keep);
+    }
+
+    /// Asks of each warning and note whether a suppression covers it, and keeps the reason.
+    pub fn suppress(&mut self, mut reason: impl FnMut(&Finding) -> Option<String>) {
+        for finding in self.list.iter_mut().filter(|finding| !finding.is_error()) {
+            finding.accepted = reason(finding).map(String::into_boxed_str);
+        }
+    }
+
+    /// Whether some were left out for their number.
+    pub fn is_cut(&self) -> bool {
+        self.left_out > 0
     }
 
     /// Whether an error is among them.

@@ -14,7 +14,7 @@ use twinrung_bytecode::image::Image;
 use twinrung_grammar::tree::Span;
 
 use crate::CheckedProject;
-use crate::diagnostic::{DEFECT, Finding};
+use crate::diagnostic::{DEFECT, Finding, OVER_LIMIT};
 use crate::project::{Project, RoutineId, TagId};
 use order::Order;
 
@@ -53,7 +53,7 @@ impl CompiledImage {
 ///
 /// # Errors
 ///
-/// A finding of code D0001: a defect of this compiler, or a project beyond a limit of the image that no rule knows.
+/// A finding of code E0108 where the whole is beyond a limit of the image, else of code D0001: a defect of this compiler.
 pub fn compile(project: &CheckedProject) -> Result<CompiledImage, Finding> {
     let (image, order) = build(project).map_err(|error| defect(project, &error))?;
     let bytes = twinrung_bytecode::seal(&image).map_err(|error| defect(project, &error))?;
@@ -69,7 +69,24 @@ pub fn compile(project: &CheckedProject) -> Result<CompiledImage, Finding> {
     })
 }
 
+/// Whether an image is refused for its size alone, which no place of the project can be blamed for.
+pub fn is_limit(error: &ImageError) -> bool {
+    matches!(
+        error,
+        ImageError::TooManyBytes { .. }
+            | ImageError::TooMany { .. }
+            | ImageError::TooManyCells { .. }
+            | ImageError::ExpandedLength
+            | ImageError::StraightLength { .. }
+            | ImageError::BackingCount
+    )
+}
+
 fn defect(project: &Project, error: &ImageError) -> Finding {
+    if is_limit(error) {
+        return Finding::new(&OVER_LIMIT, project.span, format!("the project is larger than an image can be: {error}"))
+            .help("take parts out, or split it into two controllers");
+    }
     Finding::new(&DEFECT, project.span, format!("no image came of a correct project: {error}"))
         .help("please report this with the file; it is a fault of this tool")
 }

@@ -216,9 +216,15 @@ pub(crate) fn expression(
         tree::Expression::Unary { operator, operand, .. } => {
             let operand = expression(context, scope, operand, kind, depth)?;
             Ok(match (operator, operand) {
-                (ShownUnary::Negate, Expression::Integer { value, radix: 10 }) if value != i32::MIN => {
-                    Expression::Integer { value: -value, radix: 10 }
-                }
+                // A literal in parentheses: the canonical text has a negative number, which is decimal.
+                (ShownUnary::Negate, Expression::Integer { value, .. }) => match value.checked_neg() {
+                    Some(value) => Expression::Integer { value, radix: 10 },
+                    None => {
+                        let least = Expression::Integer { value, radix: 10 };
+                        Expression::Unary(UnaryOperator::Negate, Box::new(least))
+                    }
+                },
+                (ShownUnary::Negate, Expression::Real(bits)) => Expression::Real(bits ^ 0x8000_0000),
                 (ShownUnary::Negate, operand) => Expression::Unary(UnaryOperator::Negate, Box::new(operand)),
                 (ShownUnary::Not, operand) => Expression::Unary(UnaryOperator::Not, Box::new(operand)),
             })

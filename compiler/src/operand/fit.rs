@@ -228,7 +228,7 @@ pub(crate) fn operand(
             let steps = if step > 1 { format!(" in steps of {step}") } else { String::new() };
             let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
             let message = format!("{name} is {}: it must be {zero}{least} to {greatest}{unit}{steps}", shown.text);
-            Err(Finding::new(&VALUE_RANGE, shown.span, message).help("write a value in that range").into())
+            Err(Finding::new(&VALUE_RANGE, shown.span, message).help("write a value in that range; `twinrung explain` of the instruction lists the range of every operand").into())
         }
         OperandKind::SafetyBit { immediate } => {
             if let Some(id) = literal_operand(reader, shown)? {

@@ -16,7 +16,7 @@ pub(crate) use fit::operand as read;
 pub(crate) use literal::{Literal, literal_of};
 pub use reference::{BitPlace, Location, LocationBase, Reference, Root, Shape, Step, Subscript, Term};
 pub(crate) use reference::{Scope, Walk};
-pub(crate) use resolve::alias_target;
+pub(crate) use resolve::{alias_target, reference as read_reference};
 pub use system::{SystemInstance, SystemValue};
 
 use twinrung_grammar::tree::CompactString;

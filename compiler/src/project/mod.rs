@@ -13,6 +13,7 @@ pub mod types;
 mod build;
 mod context;
 pub(crate) mod names_in_scope;
+mod packed_bits;
 pub(crate) mod reading;
 pub mod standard;
 mod tags;
@@ -32,6 +33,9 @@ pub use task::Task;
 pub use types::Types;
 
 use crate::operand::Operand;
+
+/// The safety program of routines that a file shows without a program.
+pub const UNNAMED_PROGRAM: &str = "SafetyProgram";
 
 macro_rules! id {
     ($($(#[$doc:meta])* $name:ident($inner:ty);)*) => {

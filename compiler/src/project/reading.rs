@@ -69,8 +69,14 @@ impl<'a, 'c> RungReader<'a, 'c> {
         self.element = 0;
         self.incomplete = shown.broken;
         let elements = self.series(&shown.elements);
-        if shown.elements.is_empty() && !shown.broken {
-            let finding = Finding::new(&EMPTY_RUNG, shown.span, "the rung is empty").help("delete it, or write NOP()");
+        // Legs without an instruction are no more than none.
+        if self.element == 0 && !shown.broken {
+            let message = if shown.elements.is_empty() {
+                "the rung is empty"
+            } else {
+                "the rung has branches and no instruction"
+            };
+            let finding = Finding::new(&EMPTY_RUNG, shown.span, message).help("delete it, or write NOP()");
             self.findings.push(finding);
         }
         if self.element as usize > limits::INSTRUCTIONS_PER_RUNG {
@@ -138,7 +144,7 @@ impl<'a, 'c> RungReader<'a, 'c> {
         // `AFI()` is read with one empty operand by some tools, with none by others; the grammar gives none.
         if count < least || most.is_some_and(|most| count > most) || count > limits::OPERANDS_PER_INSTRUCTION {
             let names: Vec<&str> = declaration.operands.iter().map(|operand| operand.name).collect();
-            let message = format!("{} has {}, not {count} operands", declaration.mnemonic, count_text(least, most));
+            let message = format!("{} has {}, not {count}", declaration.mnemonic, count_text(least, most));
             let help = format!("{}({})", declaration.mnemonic, names.join(", "));
             self.findings.push(Finding::new(&OPERAND_COUNT, shown.span, message).help(help));
             return None;
@@ -218,7 +224,7 @@ impl<'a, 'c> RungReader<'a, 'c> {
         if shown.operands.len() != arguments.len() + 1 {
             let names: Vec<&str> = arguments.iter().map(|at| add_on.parameters[*at].name.as_str()).collect();
             let message = format!(
-                "{} has {}, not {} operands",
+                "{} has {}, not {}",
                 add_on.name,
                 count_text(arguments.len() + 1, Some(arguments.len() + 1)),
                 shown.operands.len()

@@ -351,6 +351,9 @@ fn attributes(shown: &tree::Tag) -> Vec<(String, String)> {
 pub(crate) fn type_finding(types: &Types, what: &str, type_name: &str, span: Span, fault: &TypeFault) -> Finding {
     let within =
         |name: &str| if name.eq_ignore_ascii_case(type_name) { String::new() } else { format!(" within {type_name}") };
+    // What is wrong with the type itself stands at the member, once for all tags that have it.
+    let of_type = matches!(fault.problem, TypeProblem::Unknown(_) | TypeProblem::Recursive(_) | TypeProblem::Shape(_));
+    let span = fault.member.filter(|_| of_type).unwrap_or(span);
     let finding = match &fault.problem {
         TypeProblem::Unknown(name) if name.is_empty() => {
             Finding::new(&UNKNOWN_TYPE, span, format!("the type of `{what}` is not visible"))

@@ -7,6 +7,7 @@ use twinrung_bytecode::limits;
 use twinrung_catalog::{Element, PredefinedType};
 use twinrung_grammar::tree::{self, CompactString, Span, Value};
 
+use super::packed_bits;
 use crate::names::{Map, Set, fold};
 
 /// Why a name is no type that safety data can have.
@@ -159,8 +160,11 @@ impl Types {
             dimensions: dimensions(member.dimensions),
             span: member.data_type.span,
         });
-        let drafts = drafts.collect();
-        self.states.entry(fold(&data_type.name.text)).or_insert(State::Declared(drafts, TypeKind::User));
+        let state = match packed_bits::fault(data_type) {
+            Some((place, why)) => State::Faulty(TypeFault { problem: TypeProblem::Shape(why), member: Some(place) }),
+            None => State::Declared(drafts.collect(), TypeKind::User),
+        };
+        self.states.entry(fold(&data_type.name.text)).or_insert(state);
         self.spell(&data_type.name.text);
     }
 

@@ -12,7 +12,7 @@ const ADD_ON_INSTRUCTIONS_FROM: u16 = 18;
 rule! {
     /// An instruction that this controller does not admit.
     "S0102", Error, "an instruction is not admitted on this controller",
-    "Some certified instructions are certified for some controllers only, or from a revision on. Use another instruction, or another controller or revision.",
+    "Some certified instructions are certified for some controllers only, or from a revision of the firmware on: those that evaluate expressions or work on REAL are not for the 1756-L6xS and 1768-L4xS. `twinrung explain` of the instruction says from which version and on which controllers it is admitted. Use the instructions that compare or compute one step each, or another controller or revision.",
     "1756-RM093 Table 12, footnote 1; catalog of the certified set",
     good: sample!(on "1756-L73S", "20"; "    A : DINT (Class := Safety);\n    B : BOOL (Class := Safety);\n", "      N: CMP(A > 7)OTE(B);\n"),
     bad: sample!(on "1756-L63S", "20"; "    A : DINT (Class := Safety);\n    B : BOOL (Class := Safety);\n", "      N: <<CMP>>(A > 7)OTE(B);\n")
@@ -34,7 +34,7 @@ pub(crate) fn finding(profile: &Profile, declaration: &Instruction, mnemonic: &N
         let message = format!("{name} is not admitted on the {}", profile.controller.catalog_number);
         let help = match declaration.requires {
             Requires::Real => "it works on REAL, which safety data of this controller may not be",
-            Requires::Any | Requires::L7x => "use simpler instructions (EQU, ADD, MOV, ...), or a 1756-L7xS or later",
+            Requires::Any | Requires::L7x => "compare with EQU, NEQ, GRT, GEQ, LES, LEQ or LIM, compute with ADD, SUB, MUL, DIV or MOV step by step, or take a 1756-L7xS or a later controller",
         };
         return Some(Finding::new(&CODE, mnemonic.span, message).help(help));
     }

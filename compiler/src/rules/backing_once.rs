@@ -169,8 +169,8 @@ fn insert(
             seen.insert(used, span);
         }
         Some(first) => {
-            let finding = Finding::new(&CODE, span, format!("`{name}` serves a second call")).label(*first, "the first call");
-            findings.push(finding.help("give each call a tag of its own"));
+            let finding = Finding::new(&CODE, span, format!("the tag `{name}` serves another call already")).label(*first, "the first call");
+            findings.push(finding.help("declare another tag of the same type, and give it to this call"));
         }
     }
 }

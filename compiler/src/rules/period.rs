@@ -23,8 +23,8 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         return;
     };
     if !(u64::from(limits::PERIOD_US_LEAST)..=u64::from(limits::PERIOD_US)).contains(&period_us) {
-        let message = format!("a period of {} ms", milliseconds(period_us));
-        findings.push(Finding::new(&CODE, span, message).help("1 to 500 ms; a shorter period shortens every reaction time"));
+        let message = format!("the safety task's period is {} ms, which is not within 1 to 500 ms", milliseconds(period_us));
+        findings.push(Finding::new(&CODE, span, message).help("set Rate to 1 to 500 (ms); a shorter period shortens every reaction time"));
     }
 }
 

@@ -62,11 +62,13 @@ pub(super) fn binary(
     Expression::Binary { operator, left: Box::new(left), right: Box::new(right), span: operand.locate(l, r) }
 }
 
-/// A minus before a number makes a negative number; before anything else it is an operation.
-pub(super) fn negate(operand: &Operand, inner: Expression, l: usize, r: usize) -> Expression {
+/// A minus directly before a number makes a negative number; before anything else, a number in parentheses among it, it
+/// is an operation: `-2#1010` is a bit pattern with a sign, which nothing takes, `-(2#1010)` the negation of 10.
+pub(super) fn negate(operand: &Operand, inner: Expression, l: usize, begin: usize, r: usize) -> Expression {
     let span = operand.locate(l, r);
+    let bare = inner.span() == operand.locate(begin, r);
     match inner {
-        Expression::Immediate(Immediate { number, text, .. }) if !text.starts_with(['-', '\'']) => {
+        Expression::Immediate(Immediate { number, text, .. }) if bare && !text.starts_with(['-', '\'']) => {
             let number = match number {
                 Number::Integer { magnitude, radix, .. } => Number::Integer { negative: true, magnitude, radix },
                 Number::Real { bits } => Number::Real { bits: bits ^ 0x8000_0000 },

@@ -5,7 +5,9 @@ mod aliases;
 mod controller;
 mod map;
 mod modules;
+mod outputs;
 mod programs;
+mod sizes;
 mod tasks;
 
 use twinrung_catalog::{Element, PredefinedType};
@@ -116,6 +118,7 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         Context::new(&types, &tags, &names, &add_ons, profile.as_ref(), &routine_names, &event_tasks, &safety_tasks);
     let mut operands = Operands::default();
     let rungs = programs::read_rungs(&context, &mnemonics, &mut operands, &routines, &safety, &shown_add_ons, findings);
+    outputs::check(&inputs.completion.outputs, &context, span, findings);
     slot_names.extend(context.into_slot_names());
     for (routine, rungs) in routines.iter_mut().zip(rungs) {
         routine.rungs = rungs;
@@ -134,7 +137,7 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         }
     }
     let safety_task = tasks::safety_task(&mut task_list);
-    Project {
+    let project = Project {
         name: controller.map(|controller| controller.name.text.clone()).unwrap_or_default(),
         profile,
         types,
@@ -156,7 +159,9 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         outputs: inputs.completion.outputs.clone(),
         library: inputs.library,
         span,
-    }
+    };
+    sizes::check(&project, findings);
+    project
 }
 
 fn standard_mnemonics() -> Map<tree::CompactString, &'static twinrung_catalog::Instruction> {

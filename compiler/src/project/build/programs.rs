@@ -8,7 +8,7 @@ use crate::diagnostic::{BAD_NAME, DUPLICATE_NAME, ENCODED, Finding, Findings, OV
 use crate::names::{Map, closest, fold, name_fault};
 use crate::operand::Scope;
 use crate::project::reading::{Context, Mnemonics, Operands, RoutineNames, RungReader};
-use crate::project::{AddOn, AddOnId, Program, ProgramId, Routine, RoutineId, RoutineOwner, Rung};
+use crate::project::{AddOn, AddOnId, Program, ProgramId, Routine, RoutineId, RoutineOwner, Rung, UNNAMED_PROGRAM};
 use crate::rules;
 
 /// Programs and routines before their rungs are read.
@@ -67,7 +67,7 @@ pub(super) fn skeleton<'a>(
     if !inputs.file.routines.is_empty() {
         // A file that begins at ROUTINE is a safety program without a name (decided).
         safety.push(ShownProgram {
-            name: "SafetyProgram".into(),
+            name: UNNAMED_PROGRAM.into(),
             tags: &[],
             routines: &inputs.file.routines,
             shown: None,
@@ -238,18 +238,7 @@ pub(super) fn read_rungs(
         context.begin_routine(RoutineId(position as u32));
         let mut reader = RungReader::new(context, mnemonics, operands, findings, scope);
         reader.find_labels(rungs);
-        let mut list = Vec::with_capacity(rungs.len());
-        for (number, rung) in rungs.iter().enumerate() {
-            let before = reader.findings.len();
-            list.push(reader.rung(rung));
-            if reader.findings.len() > before {
-                let owner = match routine.owner {
-                    RoutineOwner::Program(program) => safety[program.position()].name.as_str(),
-                    RoutineOwner::AddOn(add_on) => context.add_ons[add_on.position()].name.as_str(),
-                };
-                reader.findings.place(before, &format!("{owner}/{}", routine.name), number as u32, rung.span);
-            }
-        }
+        let list = rungs.iter().map(|rung| reader.rung(rung)).collect();
         all.push(list);
     }
     all

@@ -1,0 +1,176 @@
+//! `twinrung checklist`: the checklists of 1756-RM093 Appendix D, filled in as far as the project answers them.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+use serde::Serialize;
+use twinrung_compiler::compile;
+use twinrung_workbench::checklist::{self, Answer, Evidence};
+
+use crate::failed;
+use crate::input::{self, Complete, Input};
+
+/// How the lists are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// For a terminal.
+    Human,
+    /// One JSON object.
+    Json,
+    /// Tables to go on filling in.
+    Markdown,
+}
+
+/// Arguments of `checklist`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "A line is answered only where the files alone decide it, with the evidence; all others are left to a person.\n\
+Exit code: 0 no line is answered with no, 1 one is, 2 could not read."
+)]
+pub struct Checklist {
+    /// The project: .rll, .L5K, .L5X or a folder
+    file: PathBuf,
+    /// How to print the lists
+    #[arg(long, value_enum, default_value = "human")]
+    format: Format,
+    #[command(flatten)]
+    complete: Complete,
+}
+
+/// Fills in and prints.
+pub fn run(arguments: &Checklist) -> io::Result<ExitCode> {
+    let Input::Project(read) = input::open(&arguments.file, &arguments.complete).map_err(failed)? else {
+        return Err(io::Error::other(format!("{} is an image: fill in from the project", arguments.file.display())));
+    };
+    let Some(file) = read.trees.first() else {
+        return Err(io::Error::other(format!("{} holds nothing", arguments.file.display())));
+    };
+    let compiled = read.project.as_ref().and_then(|project| compile(project).ok());
+    let evidence = Evidence {
+        sources: &read.sources,
+        file,
+        findings: &read.findings,
+        project: read.project.as_ref(),
+        signature: compiled.as_ref().map(|compiled| &compiled.application_signature),
+    };
+    let lists = checklist::fill(&evidence);
+    let mut out = io::stdout().lock();
+    match arguments.format {
+        Format::Human => human(&mut out, &lists)?,
+        Format::Json => json(&mut out, &lists)?,
+        Format::Markdown => markdown(&mut out, &lists)?,
+    }
+    let refused = lists.iter().flat_map(|list| &list.lines).any(|line| line.answer == Answer::No);
+    Ok(ExitCode::from(u8::from(refused)))
+}
+
+fn word(answer: Answer) -> &'static str {
+    match answer {
+        Answer::Yes => "yes",
+        Answer::No => "no",
+        Answer::Person => "person",
+    }
+}
+
+fn count(lists: &[checklist::Checklist], answer: Answer) -> usize {
+    lists.iter().flat_map(|list| &list.lines).filter(|line| line.answer == answer).count()
+}
+
+fn human(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> {
+    for list in lists {
+        writeln!(out, "{}: {}  (1756-RM093 Appendix D, page {})", list.title, list.subject, list.page)?;
+        for line in &list.lines {
+            let mark = match line.answer {
+                Answer::Yes => "[x]",
+                Answer::No => "[NO]",
+                Answer::Person => "[ ]",
+            };
+            writeln!(out, "  {:>2} {mark:<4} {}", line.number, line.requirement)?;
+            for evidence in &line.evidence {
+                writeln!(out, "            {evidence}")?;
+            }
+        }
+        writeln!(out)?;
+    }
+    writeln!(
+        out,
+        "{} lines answered yes, {} no, {} left to a person",
+        count(lists, Answer::Yes),
+        count(lists, Answer::No),
+        count(lists, Answer::Person)
+    )
+}
+
+fn markdown(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> {
+    // A bar would end the cell.
+    let cell = |text: &str| text.replace('|', "\\|");
+    for list in lists {
+        writeln!(out, "## {}: {}\n", list.title, cell(&list.subject))?;
+        writeln!(out, "1756-RM093 Appendix D, page {}\n", list.page)?;
+        writeln!(out, "| | requirement | fulfilled | evidence and comment |\n|---|---|---|---|")?;
+        for line in &list.lines {
+            let answer = match line.answer {
+                Answer::Person => "",
+                answered => word(answered),
+            };
+            let evidence: Vec<String> = line.evidence.iter().map(|text| cell(text)).collect();
+            writeln!(out, "| {} | {} | {answer} | {} |", line.number, line.requirement, evidence.join("<br>"))?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+#[derive(Serialize)]
+struct Json<'a> {
+    checklists: Vec<JsonList<'a>>,
+    yes: usize,
+    no: usize,
+    person: usize,
+}
+
+#[derive(Serialize)]
+struct JsonList<'a> {
+    title: &'a str,
+    page: u32,
+    subject: &'a str,
+    lines: Vec<JsonLine<'a>>,
+}
+
+#[derive(Serialize)]
+struct JsonLine<'a> {
+    number: u32,
+    requirement: &'a str,
+    answer: &'static str,
+    evidence: &'a [String],
+}
+
+fn json(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> {
+    let json = Json {
+        checklists: lists
+            .iter()
+            .map(|list| JsonList {
+                title: list.title,
+                page: list.page,
+                subject: &list.subject,
+                lines: list
+                    .lines
+                    .iter()
+                    .map(|line| JsonLine {
+                        number: line.number,
+                        requirement: line.requirement,
+                        answer: word(line.answer),
+                        evidence: &line.evidence,
+                    })
+                    .collect(),
+            })
+            .collect(),
+        yes: count(lists, Answer::Yes),
+        no: count(lists, Answer::No),
+        person: count(lists, Answer::Person),
+    };
+    serde_json::to_writer(&mut *out, &json)?;
+    writeln!(out)
+}

@@ -1,0 +1,104 @@
+//! What is thrown at: source text, an export, an image.
+
+use twinrung_bytecode::signature::seal;
+use twinrung_bytecode::{admit, read as read_image};
+use twinrung_compiler::{Completion, check, compile};
+use twinrung_controller::{DualController, SafetyFault, StopReason};
+use twinrung_grammar::tree::Sources;
+
+/// Scans that an admitted image runs.
+const SCANS: i64 = 3;
+/// Watchdog of a mutated image in microseconds: bounds how long its loops run.
+const WATCHDOG_US: u32 = 500;
+
+/// A kind of input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// `.rll` and L5K.
+    Source,
+    /// L5X.
+    L5x,
+    /// An image; it is signed again, so that the verifier sees it and not the hash.
+    Image,
+}
+
+impl Target {
+    /// All of them.
+    pub const ALL: [Target; 3] = [Target::Source, Target::L5x, Target::Image];
+
+    /// Its name: that of the fuzzer and of the folder of its seeds.
+    pub fn name(self) -> &'static str {
+        match self {
+            Target::Source => "source",
+            Target::L5x => "l5x",
+            Target::Image => "image",
+        }
+    }
+
+    /// Throws bytes at it.
+    ///
+    /// # Panics
+    /// Where this project has a defect.
+    pub fn run(self, bytes: &[u8]) {
+        match self {
+            Target::Source => project("hostile.rll", bytes),
+            Target::L5x => project("hostile.L5X", bytes),
+            Target::Image => image(bytes),
+        }
+    }
+}
+
+/// Reads, checks, and carries what is found correct all the way: the loader admits it, and both channels agree.
+fn project(name: &str, bytes: &[u8]) {
+    let mut sources = Sources::new();
+    let reading = twinrung_grammar::read(&mut sources, name, bytes.to_vec());
+    // A partial export is completed, so that its rungs are reached.
+    let completion = Completion {
+        controller: Some("1756-L73S".to_owned()),
+        revision: Some(20),
+        period_ms: Some(20),
+        watchdog_ms: Some(10),
+        ..Completion::default()
+    };
+    let checked = check(&reading, &completion);
+    for finding in &checked.findings {
+        assert!(sources.get(finding.span.source).is_some(), "{} has no place: {}", finding.code.id, finding.message);
+        assert_ne!(finding.code.id, "D0001", "{}", finding.message);
+    }
+    // What can be printed can be read again.
+    if reading.errors.is_empty() {
+        let printed = twinrung_grammar::print_file(&reading.file);
+        let again = twinrung_grammar::read(&mut sources, "printed.rll", printed.into_bytes());
+        assert!(again.errors.is_empty(), "what was printed cannot be read: {:?}", again.errors);
+    }
+    let Some(project) = checked.project else { return };
+    let compiled = compile(&project).unwrap_or_else(|finding| panic!("{}", finding.message));
+    run(&compiled.bytes, true);
+}
+
+fn image(bytes: &[u8]) {
+    let Ok(mut read) = read_image(bytes) else { return };
+    if let Some(task) = &mut read.image.task {
+        task.watchdog_us = task.watchdog_us.min(WATCHDOG_US);
+    }
+    let Ok(signed) = seal(&read.image) else { return };
+    run(&signed, false);
+}
+
+/// Admits and runs. An image of our own must be admitted; of any other one only nothing bad must come.
+fn run(bytes: &[u8], own: bool) {
+    let admitted = match admit(bytes) {
+        Ok(admitted) => admitted,
+        Err(error) => {
+            assert!(!own, "the loader refuses a compiled image: {error}");
+            return;
+        }
+    };
+    let Ok(mut controller) = DualController::load(admitted, bytes) else { return };
+    controller.power_up_in_run();
+    for scan in 0..SCANS {
+        let report = controller.scan(scan * 20);
+        let differs = matches!(report.stopped, Some(StopReason::Safety(SafetyFault::Difference(_))));
+        assert!(!differs, "the channels differ in scan {scan}: {:?}", report.stopped);
+    }
+}
