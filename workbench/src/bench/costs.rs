@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use twinrung_bytecode::bound::{self, Work};
+use twinrung_bytecode::bound::{self, Bound, Work};
 use twinrung_bytecode::index::TagIndex;
 use twinrung_bytecode::observer::Silent;
 use twinrung_bytecode::{AdmittedImage, CellRange, admit};
@@ -37,6 +37,9 @@ pub struct Estimate {
     pub bound_ns: u64,
     /// The costs that it is made of, in ns.
     pub costs: Vec<CostRow>,
+    /// The longest path program by program, routine by routine and rung by rung, in ps.
+    #[serde(skip)]
+    pub picoseconds: Bound,
 }
 
 /// The cost of one thing that a scan does.
@@ -65,10 +68,11 @@ pub fn estimate(image: &AdmittedImage) -> Result<Estimate, String> {
         costs.insert(key, calibration.cost(work)?);
     }
     let picoseconds = |work| costs.get(&Key::of(work)).map_or(0, |ns| (ns * 1000.0).round() as u64);
-    let longest = bound::bound(image, &picoseconds).total / 1000;
+    let picoseconds = bound::bound(image, &picoseconds);
     let mut rows = vec![CostRow { of: "scan".to_owned(), ns: calibration.scan_ns }];
     rows.extend(costs.into_iter().map(|(key, ns)| CostRow { of: key.name(), ns }));
-    Ok(Estimate { bound_ns: longest.saturating_add(calibration.scan_ns as u64), costs: rows })
+    let bound_ns = (picoseconds.total / 1000).saturating_add(calibration.scan_ns as u64);
+    Ok(Estimate { bound_ns, costs: rows, picoseconds })
 }
 
 /// [`Work`] in an order.

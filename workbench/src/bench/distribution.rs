@@ -72,20 +72,24 @@ impl Distribution {
         Quantiles { p50: at(0.5), p99: at(0.99), p999: at(0.999), max: self.greatest }
     }
 
-    /// The distribution in at most `most` buckets, each wider than the one before by the same factor.
+    /// The distribution in at most `most` buckets. All but the last are equally wide and reach a little beyond the 99th
+    /// percentile; the last holds what took longer.
     pub fn buckets(&self, most: usize) -> Vec<Bucket> {
-        if self.count() == 0 || most == 0 {
+        if self.count() == 0 || most < 2 {
             return Vec::new();
         }
-        let (least, greatest) = (self.least.max(1) as f64, self.greatest.max(1) as f64 + 1.0);
-        let factor = (greatest / least).powf(1.0 / most as f64);
-        let edge = |index: usize| (least * factor.powi(index as i32)).round() as u64;
-        let mut buckets: Vec<Bucket> = (0..most)
-            .map(|index| Bucket { from_ns: edge(index), to_ns: edge(index + 1), scans: 0 })
-            .filter(|bucket| bucket.to_ns > bucket.from_ns)
+        let usual = self.histogram.value_at_quantile(0.99).saturating_mul(6) / 5;
+        let step = usual.saturating_sub(self.least).div_ceil(most as u64 - 1).max(1);
+        let mut buckets: Vec<Bucket> = (0..most as u64 - 1)
+            .map(|index| self.least + index * step)
+            .take_while(|from_ns| *from_ns <= self.greatest)
+            .map(|from_ns| Bucket { from_ns, to_ns: from_ns + step, scans: 0 })
             .collect();
+        if let Some(from_ns) = buckets.last().map(|last| last.to_ns).filter(|end| *end <= self.greatest) {
+            buckets.push(Bucket { from_ns, to_ns: self.greatest + 1, scans: 0 });
+        }
         for recorded in self.histogram.iter_recorded() {
-            let ns = recorded.value_iterated_to();
+            let ns = recorded.value_iterated_to().clamp(self.least, self.greatest);
             let at = buckets.partition_point(|bucket| bucket.to_ns <= ns).min(buckets.len().saturating_sub(1));
             if let Some(bucket) = buckets.get_mut(at) {
                 bucket.scans += recorded.count_since_last_iteration();
@@ -118,8 +122,9 @@ mod tests {
 
     #[test]
     fn buckets_when_summed_then_every_time_is_in_one() {
-        let buckets = of((1..=500).map(|step| step * 1234)).buckets(20);
-        assert_eq!(buckets.iter().map(|bucket| bucket.scans).sum::<u64>(), 500);
+        let buckets = of((1..=500).map(|step| step * 1234).chain([9_000_000])).buckets(20);
+        assert_eq!(buckets.iter().map(|bucket| bucket.scans).sum::<u64>(), 501);
+        assert_eq!(buckets.last().map(|last| last.scans), Some(1));
         assert!(buckets.windows(2).all(|pair| pair[0].to_ns == pair[1].from_ns));
     }
 }

@@ -1,5 +1,7 @@
 //! Inputs at random: each BOOL input is seen off and on, and stays in motion.
 
+use std::collections::HashSet;
+
 use twinrung_bytecode::image::{TagKind, TagRecord, TypeKind, TypeReference};
 use twinrung_bytecode::index::TagIndex;
 use twinrung_bytecode::{AdmittedImage, CellRange};
@@ -44,9 +46,10 @@ impl Inputs {
         let image = controller.image();
         let mut bits = Vec::new();
         let mut words = Vec::new();
+        let sent: HashSet<TagIndex> = image.frozen().iter().map(|range| range.tag).collect();
         for (index, tag) in image.image().tags.iter().enumerate() {
             let index = TagIndex(index as u32);
-            let frozen = image.frozen().iter().any(|range| range.tag == index);
+            let frozen = sent.contains(&index);
             if !frozen && (tag.kind != TagKind::Base || tag.constant || !is_plain(image, tag)) {
                 continue;
             }

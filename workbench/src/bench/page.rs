@@ -57,9 +57,14 @@ fn escaped(text: &str) -> String {
 
 fn histogram(out: &mut String, report: &Report) {
     let (Some(first), Some(last)) = (report.histogram.first(), report.histogram.last()) else { return };
-    let (least, greatest) = ((first.from_ns.max(1) as f64).ln(), (last.to_ns.max(2) as f64).ln());
-    let span = (greatest - least).max(f64::EPSILON);
-    let x = |ns: u64| ((ns.max(1) as f64).ln() - least) / span * WIDTH;
+    // The last bucket, which holds what took longer, is drawn as wide as the others: its own width would hide them.
+    let step = first.to_ns.saturating_sub(first.from_ns).max(1) as f64;
+    let each = WIDTH / report.histogram.len() as f64;
+    let beyond = last.to_ns.saturating_sub(last.from_ns).max(1) as f64;
+    let x = |ns: u64| {
+        let inside = ns.min(last.from_ns).saturating_sub(first.from_ns) as f64 / step;
+        (inside + ns.saturating_sub(last.from_ns) as f64 / beyond) * each
+    };
     let most = report.histogram.iter().map(|bucket| bucket.scans).max().unwrap_or(0).max(1) as f64;
     let total = HEIGHT + ABOVE + BELOW;
     let _ = writeln!(
@@ -95,8 +100,8 @@ fn histogram(out: &mut String, report: &Report) {
             time(ns)
         );
     }
-    for step in 0..=4 {
-        let ns = (least + span * f64::from(step) / 4.0).exp() as u64;
+    for step in 0..=4_u64 {
+        let ns = first.from_ns + (last.from_ns - first.from_ns) / 4 * step;
         let anchor = if step == 0 { "start" } else { "middle" };
         let _ = writeln!(
             out,
@@ -137,34 +142,43 @@ fn parts(out: &mut String, report: &Report) {
 
 fn instructions(out: &mut String, report: &Report) {
     out.push_str(
-        "<h2>Instructions in a scan</h2>\n<table><tr><th></th><th>rungs</th><th>at most seen</th><th>bound</th></tr>\n",
+        "<h2>Instructions in a scan</h2>\n<table><tr><th></th><th>rungs</th><th>at most seen</th><th>bound</th>\
+         <th>bound, estimated time</th></tr>\n",
     );
-    let mut row = |name: &str, rungs: Option<u64>, seen: u64, bound: u64| {
+    let estimated = |ns: Option<u64>| ns.map(time).unwrap_or_default();
+    let mut row = |name: &str, rungs: Option<u64>, seen: u64, bound: u64, ns: Option<u64>| {
         let _ = writeln!(
             out,
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escaped(name),
             rungs.map(count).unwrap_or_default(),
             count(seen),
-            if bound == 0 { String::new() } else { count(bound) }
+            if bound == 0 { String::new() } else { count(bound) },
+            estimated(ns.filter(|_| bound > 0))
         );
     };
-    row("all", Some(report.rungs), report.max_instructions, report.bound_instructions);
+    let whole = report.estimate.as_ref().map(|estimate| estimate.bound_ns);
+    row("all", Some(report.rungs), report.max_instructions, report.bound_instructions, whole);
     for program in &report.programs {
-        row(&program.program, None, program.max_instructions, program.bound_instructions);
+        row(&program.program, None, program.max_instructions, program.bound_instructions, program.estimated_ns);
     }
     for routine in &report.routines {
-        row(&routine.routine, Some(routine.rungs), routine.max_instructions, routine.bound_instructions);
+        let (seen, bound) = (routine.max_instructions, routine.bound_instructions);
+        row(&routine.routine, Some(routine.rungs), seen, bound, routine.estimated_ns);
     }
-    out.push_str("</table>\n<h2>Most expensive rungs</h2>\n<table><tr><th>rung</th><th>instructions</th><th>bound</th><th>text</th></tr>\n");
+    out.push_str(
+        "</table>\n<h2>Most expensive rungs</h2>\n<table><tr><th>rung</th><th>instructions</th><th>bound</th>\
+         <th>estimated time</th><th>text</th></tr>\n",
+    );
     for rung in &report.most_expensive_rungs {
         let _ = writeln!(
             out,
-            "<tr><td>{} {}</td><td>{}</td><td>{}</td><td style=\"text-align:left\"><code>{}</code></td></tr>",
+            "<tr><td>{} {}</td><td>{}</td><td>{}</td><td>{}</td><td style=\"text-align:left\"><code>{}</code></td></tr>",
             escaped(&rung.routine),
             rung.rung,
             count(rung.max_instructions),
             count(rung.bound_instructions),
+            estimated(rung.estimated_ns),
             escaped(&rung.text)
         );
     }

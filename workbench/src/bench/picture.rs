@@ -11,6 +11,8 @@ const LINES: usize = 16;
 const BESIDE: usize = 44;
 /// Widest name of a routine, and widest text of a rung.
 const NAME: usize = 36;
+/// Most routines that are listed; JSON and the page have all of them.
+const ROUTINES: usize = 20;
 
 /// Draws a report in so many columns.
 pub fn picture(report: &Report, columns: usize) -> String {
@@ -57,14 +59,15 @@ pub fn picture(report: &Report, columns: usize) -> String {
     out
 }
 
-/// Neighbouring buckets joined until there are few enough.
+/// Neighbouring buckets joined until there are few enough; the last, which holds what took longer, stays alone.
 fn joined(buckets: &[Bucket], most: usize) -> Vec<Bucket> {
-    let each = buckets.len().div_ceil(most).max(1);
+    let Some((last, rest)) = buckets.split_last() else { return Vec::new() };
+    let each = rest.len().div_ceil(most.saturating_sub(1).max(1)).max(1);
     let join = |group: &[Bucket]| {
         let (first, last) = (group.first()?, group.last()?);
         Some(Bucket { from_ns: first.from_ns, to_ns: last.to_ns, scans: group.iter().map(|bucket| bucket.scans).sum() })
     };
-    buckets.chunks(each).filter_map(join).collect()
+    rest.chunks(each).filter_map(join).chain([*last]).collect()
 }
 
 fn histogram(out: &mut String, report: &Report, columns: usize) {
@@ -135,44 +138,51 @@ fn parts(out: &mut String, report: &Report) {
 }
 
 fn instructions(out: &mut String, report: &Report, columns: usize) {
-    let _ = writeln!(out, "{:<NAME$} {:>7} {:>14} {:>14}", "instructions in a scan", "rungs", "at most seen", "bound");
-    let _ = writeln!(
-        out,
-        "{:<NAME$} {:>7} {:>14} {:>14}",
+    let mut row = |name: &str, rungs: &str, seen: &str, bound: &str, estimate: &str| {
+        let _ = writeln!(out, "{:<NAME$} {rungs:>7} {seen:>14} {bound:>14} {estimate:>10}", cut(name, NAME));
+    };
+    let estimated = |ns: Option<u64>| ns.map(|ns| format!("~{}", time(ns))).unwrap_or_default();
+    row("instructions in a scan", "rungs", "at most seen", "bound", "bound");
+    row(
         "all",
-        count(report.rungs),
-        count(report.max_instructions),
-        count(report.bound_instructions)
+        &count(report.rungs),
+        &count(report.max_instructions),
+        &count(report.bound_instructions),
+        &estimated(report.estimate.as_ref().map(|estimate| estimate.bound_ns)),
     );
     for program in &report.programs {
-        let _ = writeln!(
-            out,
-            "{:<NAME$} {:>7} {:>14} {:>14}",
-            cut(&program.program, NAME),
+        row(
+            &program.program,
             "",
-            count(program.max_instructions),
-            count(program.bound_instructions)
+            &count(program.max_instructions),
+            &count(program.bound_instructions),
+            &estimated(program.estimated_ns),
         );
     }
-    for routine in &report.routines {
-        let _ = writeln!(
-            out,
-            "{:<NAME$} {:>7} {:>14} {:>14}",
-            cut(&format!("  {}", routine.routine), NAME),
-            count(routine.rungs),
-            count(routine.max_instructions),
-            if routine.bound_instructions == 0 { "-".to_owned() } else { count(routine.bound_instructions) }
+    for routine in report.routines.iter().take(ROUTINES) {
+        // A routine of an Add-On Instruction counts with those that call it.
+        let own = (routine.bound_instructions > 0).then_some(routine.bound_instructions);
+        row(
+            &format!("  {}", routine.routine),
+            &count(routine.rungs),
+            &count(routine.max_instructions),
+            &own.map_or_else(|| "-".to_owned(), count),
+            &estimated(routine.estimated_ns.filter(|_| own.is_some())),
         );
+    }
+    if let Some(more) = report.routines.len().checked_sub(ROUTINES).filter(|more| *more > 0) {
+        row(&format!("  and {} more", count(more as u64)), "", "", "", "");
     }
     let _ = writeln!(out, "\nmost expensive rungs");
     for rung in &report.most_expensive_rungs {
         let place = format!("{} rung {}", rung.routine, rung.rung);
         let _ = writeln!(
             out,
-            "{:>6}  {:<28} {}",
+            "{:>6} {:>9}  {:<28} {}",
             count(rung.max_instructions),
+            estimated(rung.estimated_ns),
             cut(&place, 28),
-            cut(&rung.text, columns.saturating_sub(NAME + 1).max(20))
+            cut(&rung.text, columns.saturating_sub(NAME + 11).max(20))
         );
     }
     out.push('\n');

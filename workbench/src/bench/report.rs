@@ -1,6 +1,9 @@
 //! What a measurement means: rows, headroom, and the sentence that an engineer needs.
 
+use std::cmp::Reverse;
+
 use serde::Serialize;
+use twinrung_bytecode::bound::Bound;
 use twinrung_bytecode::image::{Image, Owner};
 use twinrung_bytecode::index::RoutineIndex;
 use twinrung_bytecode::signature::short_form;
@@ -16,6 +19,8 @@ const RUNGS_LISTED: usize = 10;
 const BUCKETS: usize = 60;
 /// A watchdog is proposed at this many times the slowest scan: room for what a measurement has not seen.
 const MARGIN: u64 = 2;
+/// A slowest scan of more than so many medians is not the program's own.
+const DISTURBED: u64 = 20;
 /// Watchdogs are set in whole milliseconds.
 const MILLISECOND_NS: u64 = 1_000_000;
 
@@ -69,7 +74,7 @@ pub struct Report {
     pub programs: Vec<ProgramRow>,
     /// Routines in the order of the image.
     pub routines: Vec<RoutineRow>,
-    /// The rungs that executed the most instructions.
+    /// The rungs that take longest by the estimate; without one, those that executed the most instructions.
     pub most_expensive_rungs: Vec<RungRow>,
     /// The distribution of the whole scan.
     pub histogram: Vec<Bucket>,
@@ -90,6 +95,8 @@ pub struct ProgramRow {
     pub max_instructions: u64,
     /// What a scan can execute of it at most.
     pub bound_instructions: u64,
+    /// The time estimated for that, in ns.
+    pub estimated_ns: Option<u64>,
 }
 
 /// One routine.
@@ -104,6 +111,8 @@ pub struct RoutineRow {
     /// What a scan can execute of it at most, Add-On Instructions that it calls included; 0 for a routine of an Add-On
     /// Instruction, which counts with its callers.
     pub bound_instructions: u64,
+    /// The time estimated for that, in ns.
+    pub estimated_ns: Option<u64>,
 }
 
 /// One rung.
@@ -117,6 +126,8 @@ pub struct RungRow {
     pub max_instructions: u64,
     /// What a scan can execute of it at most.
     pub bound_instructions: u64,
+    /// The time estimated for that, in ns.
+    pub estimated_ns: Option<u64>,
     /// Its text.
     pub text: String,
 }
@@ -132,17 +143,22 @@ impl Report {
         let [freeze_ns, primary_ns, partner_ns, compare_ns, publish_ns] =
             measurement.parts.each_ref().map(super::Distribution::quantiles);
         let bound = &measurement.bound;
+        let costs = estimate.as_ref().map(|estimate| &estimate.picoseconds);
         let programs = task.iter().flat_map(|task| &task.schedule).map(|program| ProgramRow {
             program: records.programs.get(program.position()).map_or_else(String::new, |record| record.name.clone()),
             max_instructions: measurement.counts.programs.get(program.position()).copied().unwrap_or_default(),
             bound_instructions: bound.programs.get(program.position()).copied().unwrap_or_default(),
+            estimated_ns: costs.and_then(|costs| costs.programs.get(program.position())).map(|ps| ps / 1000),
         });
         let routines = (0..records.routines.len()).map(|index| RoutineRow {
             routine: routine_name(records, index),
             rungs: u64::from(image.rungs(RoutineIndex(index as u32))),
             max_instructions: measurement.counts.routines.get(index).copied().unwrap_or_default(),
             bound_instructions: bound.routines.get(index).map_or(0, |routine| routine.total),
+            estimated_ns: costs.and_then(|costs| costs.routines.get(index)).map(|routine| routine.total / 1000),
         });
+        let (programs, routines) = (programs.collect(), routines.collect());
+        let most_expensive_rungs = most_expensive(records, measurement, costs);
         Report {
             project: records.controller.name.clone(),
             signature: short_form(image.application_signature()).to_string(),
@@ -165,9 +181,9 @@ impl Report {
             period_headroom_percent: left(scan_ns.max, period_ns),
             possible_watchdog_ms: possible_watchdog_ms(longest_ns(scan_ns.max, estimate.as_ref()), bound.total),
             estimate,
-            programs: programs.collect(),
-            routines: routines.collect(),
-            most_expensive_rungs: most_expensive(records, measurement),
+            programs,
+            routines,
+            most_expensive_rungs,
             histogram: measurement.whole.buckets(BUCKETS),
             inputs: measurement.coverage,
             hash: measurement.hash.map(|hash| format!("{hash:016x}")),
@@ -181,15 +197,26 @@ impl Report {
         if self.scans == 0 {
             return "No scan was measured: nothing can be said about the watchdog.".to_owned();
         }
-        let slowest = format!(
-            "The slowest of {} scans took {}: {:.1} % of the watchdog of {} and {:.1} % of the period of {} were left.",
-            count(self.scans),
-            time(self.scan_ns.max),
-            self.watchdog_headroom_percent,
-            time(self.watchdog_ns),
-            self.period_headroom_percent,
-            time(self.period_ns),
-        );
+        let slowest = format!("The slowest of {} scans took {}: ", count(self.scans), time(self.scan_ns.max));
+        let headroom = if self.scan_ns.max > self.watchdog_ns {
+            format!("longer than the watchdog of {}.", time(self.watchdog_ns))
+        } else {
+            format!(
+                "{:.1} % of the watchdog of {} and {:.1} % of the period of {} were left.",
+                self.watchdog_headroom_percent,
+                time(self.watchdog_ns),
+                self.period_headroom_percent,
+                time(self.period_ns),
+            )
+        };
+        let disturbed = if self.scan_ns.max > DISTURBED * self.scan_ns.p50.max(1) {
+            format!(
+                " That is {} times the median: this computer did something else meanwhile, and on a quiet one the figure may be better.",
+                count(self.scan_ns.max / self.scan_ns.p50.max(1))
+            )
+        } else {
+            String::new()
+        };
         let possible = self.possible_watchdog_ms;
         let longest = longest_ns(self.scan_ns.max, self.estimate.as_ref());
         let why = if possible > least_watchdog_ms(MARGIN.saturating_mul(longest)) {
@@ -212,7 +239,7 @@ impl Report {
         } else {
             String::new()
         };
-        format!("{slowest} {proposal}{bound}")
+        format!("{slowest}{headroom}{disturbed} {proposal}{bound}")
     }
 }
 
@@ -238,22 +265,27 @@ fn routine_name(records: &Image, index: usize) -> String {
     format!("{}/{}", owner.unwrap_or_default(), record.name)
 }
 
-fn most_expensive(records: &Image, measurement: &Measurement) -> Vec<RungRow> {
+/// The rungs with the longest estimated time, or without an estimate those that executed the most instructions.
+fn most_expensive(records: &Image, measurement: &Measurement, costs: Option<&Bound>) -> Vec<RungRow> {
+    let of = |bound: &Bound, routine: usize, rung: usize| {
+        bound.routines.get(routine).and_then(|routine| routine.rungs.get(rung)).copied().unwrap_or_default()
+    };
     let counts = measurement.counts.rungs.iter().enumerate();
-    let mut rungs: Vec<(u64, usize, usize)> = counts
+    let mut rungs: Vec<(u64, u64, usize, usize)> = counts
         .flat_map(|(routine, rungs)| rungs.iter().enumerate().map(move |(rung, most)| (*most, routine, rung)))
         .filter(|(most, _, _)| *most > 0)
+        .map(|(most, routine, rung)| (costs.map_or(most, |costs| of(costs, routine, rung)), most, routine, rung))
         .collect();
-    rungs.sort_unstable_by_key(|(most, routine, rung)| (std::cmp::Reverse(*most), *routine, *rung));
+    rungs.sort_unstable_by_key(|(cost, most, routine, rung)| (Reverse(*cost), Reverse(*most), *routine, *rung));
     rungs.truncate(RUNGS_LISTED);
-    let row = |(most, routine, rung): (u64, usize, usize)| {
-        let bound = measurement.bound.routines.get(routine).and_then(|bound| bound.rungs.get(rung)).copied();
+    let row = |(_, most, routine, rung): (u64, u64, usize, usize)| {
         let text = records.routines.get(routine).and_then(|record| record.text.lines().nth(rung));
         RungRow {
             routine: routine_name(records, routine),
             rung: rung as u64,
             max_instructions: most,
-            bound_instructions: bound.unwrap_or_default(),
+            bound_instructions: of(&measurement.bound, routine, rung),
+            estimated_ns: costs.map(|costs| of(costs, routine, rung) / 1000),
             text: text.unwrap_or_default().to_owned(),
         }
     };

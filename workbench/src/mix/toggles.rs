@@ -16,7 +16,7 @@ const SEED: u64 = 88_172_645_463_325_252;
 #[derive(Debug, Clone)]
 pub struct Toggles {
     state: u64,
-    values: [bool; INPUTS],
+    values: Vec<bool>,
     cells: Vec<BitCell>,
     each_scan: usize,
 }
@@ -38,7 +38,7 @@ impl Toggles {
             word_cell: 0,
             word_cells: 0,
         });
-        Some(Toggles { state: SEED, values: [false; INPUTS], cells, each_scan })
+        Some(Toggles { state: SEED, values: vec![false; INPUTS], cells, each_scan })
     }
 
     fn next(&mut self) -> u64 {
@@ -73,7 +73,7 @@ impl Toggles {
 
     /// The stimulus as CSV: 16 toggles before each of so many scans.
     pub fn csv(scans: u64) -> String {
-        let mut toggles = Toggles { state: SEED, values: [false; INPUTS], cells: Vec::new(), each_scan: 16 };
+        let mut toggles = Toggles { state: SEED, values: vec![false; INPUTS], cells: Vec::new(), each_scan: 16 };
         let names: Vec<String> = (0..INPUTS).map(|index| format!("x{index}")).collect();
         let mut out = format!("time_ms,{}\n", names.join(","));
         for scan in 0..scans {
@@ -82,8 +82,8 @@ impl Toggles {
                 toggles.values[index] = !toggles.values[index];
             }
             let _ = write!(out, "{}", scan * PERIOD_MS);
-            for value in toggles.values {
-                let _ = write!(out, ",{}", u8::from(value));
+            for value in &toggles.values {
+                let _ = write!(out, ",{}", u8::from(*value));
             }
             out.push('\n');
         }
