@@ -51,7 +51,8 @@ impl Delay {
     /// The delayed command: its delayed direction after the delay time, the other one at once.
     fn follow(&mut self, command: bool, inputs: &DelayInputs, now_ms: i64) -> bool {
         let delayed_direction = command != inputs.off_delay;
-        self.pending.follow(command != self.taken_over, now_ms);
+        // The time is that of the delayed change alone: one that was taken over at once has no part in it.
+        self.pending.follow(delayed_direction && command != self.taken_over, now_ms);
         if !inputs.enabled || !delayed_direction || self.pending.reached(now_ms, inputs.time_ms) {
             self.taken_over = command;
         }
@@ -105,7 +106,7 @@ impl Avc {
             self.check.restart(now_ms);
         }
         self.command(&status, members, now_ms);
-        let waits = members[ACTUATE] != 0 && !self.armed;
+        let waits = self.latch.fault == NONE && members[ACTUATE] != 0 && !self.armed;
         let own = if waits { WAITING_FOR_ACTUATE_OFF } else { NONE };
         members[O1] = i32::from(self.o1);
         members[FP] = i32::from(self.latch.fault != NONE);

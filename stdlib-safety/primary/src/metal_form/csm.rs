@@ -179,7 +179,7 @@ impl Csm {
             // Shown early and taken back late.
             Phase::Starting | Phase::Stopping => !inputs.quiet,
         };
-        let waits = self.phase == Phase::Stopped && inputs.request;
+        let waits = self.latch.fault == NONE && self.phase == Phase::Stopped && inputs.request;
         let own = if waits { REQUEST_ON_AT_START } else { NONE };
         members[O1] = i32::from(moves);
         members[FP] = i32::from(self.latch.fault != NONE);
@@ -213,7 +213,8 @@ impl Csm {
 
     /// One scan of the table of 7; gives a fault or 0.
     fn step(&mut self, inputs: &Inputs, now_ms: i64) -> i32 {
-        let fault = match self.phase {
+        let before = self.phase;
+        let fault = match before {
             Phase::Stopped => self.stopped(inputs),
             Phase::Starting => self.starting(inputs, now_ms),
             Phase::Running => self.running(inputs, now_ms),
@@ -223,7 +224,8 @@ impl Csm {
             return fault;
         }
         match self.phase {
-            Phase::Stopped | Phase::Stopping if inputs.request_rises => {
+            // The rows of STOPPING in their order: a request that comes in the scan of rest must be given again.
+            Phase::Stopped | Phase::Stopping if inputs.request_rises && self.phase == before => {
                 self.phase = Phase::Starting;
                 self.since.restart(now_ms);
                 self.a.begin();

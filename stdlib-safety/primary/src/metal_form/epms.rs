@@ -4,7 +4,7 @@ use super::latch::{FaultLatch, Status};
 use crate::codes::NONE;
 use crate::members::members;
 use crate::selector::{NO_POSITION_MS, Selection};
-use crate::timer::Timer;
+use crate::timer::Limit;
 use twinrung_catalog::types::safety::press::EIGHT_POS_MODE_SELECTOR;
 
 members! {
@@ -48,7 +48,7 @@ const CHANGE_WHILE_LOCKED: i32 = 0xF103;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Epms {
     latch: FaultLatch,
-    none: Timer,
+    none: Limit,
     /// The output that is on, counted from 1.
     active: Option<u8>,
     /// The selector was moved while locked: no mode until it is unlocked (decided).
@@ -79,7 +79,7 @@ impl Epms {
             members[INPUT_8],
         ]);
         let lost = self.latch.begin(&status);
-        let no_input = self.none.lasts(status.input && selection == Selection::None, now_ms, NO_POSITION_MS);
+        let no_input = self.none.breaks(status.input && selection == Selection::None, now_ms, NO_POSITION_MS);
         let new_fault = if lost != NONE || !status.input {
             lost
         } else if no_input {
@@ -93,7 +93,7 @@ impl Epms {
         self.latch.settle(new_fault, cause_gone);
         let usable = status.input && self.latch.fault == NONE;
         self.select(selection, members[LOCK] != 0, usable);
-        let own = if self.moved { CHANGE_WHILE_LOCKED } else { NONE };
+        let own = if self.latch.fault == NONE && self.moved { CHANGE_WHILE_LOCKED } else { NONE };
         let output = |position: u8| i32::from(self.active == Some(position));
         members[O1] = output(1);
         members[O2] = output(2);

@@ -75,8 +75,9 @@ impl Mmvc {
         }
         self.permitted_before = permitted;
         let own = if missing != NONE {
+            // Told with a status fault latched too (10: 20, 21, 05, then the first missing).
             missing
-        } else if actuate && !self.o1 {
+        } else if actuate && !self.o1 && self.latch.fault == NONE {
             ACTUATE_AGAIN
         } else {
             NONE

@@ -1,7 +1,7 @@
 //! The two-channel state machine of DIN, RIN, ENPEND, ESTOP and LC. `v14-and-metal-form.md` 2.1.
 
 use crate::edge::Edge;
-use crate::timer::Timer;
+use crate::timer::Limit;
 
 /// What one scan reads.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub(crate) struct Circuit {
     pub(crate) inconsistent: bool,
     /// One channel left while the other stayed.
     partial: bool,
-    split: Timer,
+    split: Limit,
     both_before: bool,
     circuit_reset: Edge,
     fault_reset: Edge,
@@ -71,7 +71,7 @@ impl Circuit {
         if !self.alive {
             self.cycle = !none;
         }
-        let detected = self.split.lasts(split, now_ms, inconsistent_ms);
+        let detected = self.split.breaks(split, now_ms, inconsistent_ms);
         if detected {
             // (b)
             self.inconsistent = true;

@@ -3,7 +3,7 @@
 use crate::edge::Edge;
 use crate::members::members;
 use crate::selector::{NO_POSITION_MS, Selection};
-use crate::timer::Timer;
+use crate::timer::Limit;
 use twinrung_catalog::types::safety::version_14::FIVE_POS_MODE_SELECTOR;
 
 members! {
@@ -31,7 +31,7 @@ members! {
 /// Memory of an FPMS call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fpms {
-    none: Timer,
+    none: Limit,
     /// NM, latched.
     no_mode: bool,
     /// MMS, latched.
@@ -54,7 +54,7 @@ impl Fpms {
         let reset = self.reset.rises(members[FAULT_RESET] != 0);
         let selection =
             Selection::read([members[INPUT_1], members[INPUT_2], members[INPUT_3], members[INPUT_4], members[INPUT_5]]);
-        let no_mode = self.none.lasts(selection == Selection::None, now_ms, NO_POSITION_MS);
+        let no_mode = self.none.breaks(selection == Selection::None, now_ms, NO_POSITION_MS);
         let several_modes = selection == Selection::Several;
         self.no_mode = no_mode || (self.no_mode && (selection == Selection::None || !reset));
         self.several_modes = several_modes || (self.several_modes && !reset);

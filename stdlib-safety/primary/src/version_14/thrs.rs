@@ -2,7 +2,7 @@
 
 use crate::edge::Edge;
 use crate::members::members;
-use crate::timer::Timer;
+use crate::timer::{Limit, Timer};
 use twinrung_catalog::types::safety::version_14::TWO_HAND_RUN_STATION;
 
 members! {
@@ -78,9 +78,9 @@ struct Hands {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thrs {
     hands: Hands,
-    right_mixed: Timer,
-    left_mixed: Timer,
-    unplugged: Timer,
+    right_mixed: Limit,
+    left_mixed: Limit,
+    unplugged: Limit,
     right_fault: bool,
     left_fault: bool,
     station_fault: bool,
@@ -127,8 +127,8 @@ impl Thrs {
         let right_mixed = connected && right.mixed();
         let left_mixed = connected && left.mixed();
         let shows_contact = !connected && (right.any() || left.any());
-        let latch = |timer: &mut Timer, fault: &mut bool, wrong: bool, limit_ms: i32| {
-            let detected = timer.lasts(wrong, now_ms, limit_ms);
+        let latch = |limit: &mut Limit, fault: &mut bool, wrong: bool, limit_ms: i32| {
+            let detected = limit.breaks(wrong, now_ms, limit_ms);
             *fault = detected || (*fault && (wrong || !reset));
         };
         latch(&mut self.right_mixed, &mut self.right_fault, right_mixed, MIXED_MS);
