@@ -138,11 +138,10 @@ mod tests {
     #[test]
     fn contacts_when_in_series_and_parallel_then_drawn_as_ladder() {
         let expected = "\
-│    Start      Stop   Run
-├─┬───┤ ├────┬──┤/├────( )──┤
-│ │          │   ▲
-│ │   Run    │
-│ └───┤ ├────┘";
+│    Start    Stop  Run
+├─┬───┤ ├───┬─┤/├───( )──┤
+│ │   Run   │  ▲
+│ └───┤ ├───┘";
         let found = drawn("[XIC(Start) ,XIC(Run) ]XIO(Stop)OTE(Run);", "Stop");
         assert_eq!(found, expected, "\n{found}");
     }
@@ -150,7 +149,12 @@ mod tests {
     #[test]
     fn boxes_when_an_operand_is_marked_then_an_arrow_points_at_it() {
         let found = drawn("XIC(Door)TON(Delay,500,?);", "500");
-        let expected = "";
+        let expected = "\
+│  Door  ┌─ TON ─────────┐
+├──┤ ├───┤ Timer   Delay ├──┤
+│        │ Preset  500  ◄│
+│        │ Accum   ?     │
+│        └───────────────┘";
         assert_eq!(found, expected, "\n{found}");
     }
 
