@@ -368,3 +368,22 @@ fn findings_when_checked_twice_then_the_same() {
         "[XIC(Std) ,XIC(Std2) ]OTE(A)\nXIC(A)OTE(B)\n[XIC(B) ,XIC(Std) ]OTE(Motor)\nMOV(Num,W)\nEQU(W,1)OTE(Lamp)";
     assert_eq!(on_rungs(rungs), on_rungs(rungs));
 }
+
+/// The codes of warnings about the data flow.
+fn warnings(rungs: &str) -> Vec<String> {
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", &text("", "", rungs, ""));
+    let checked = check(&reading, &Completion::default());
+    let own = checked.findings.iter().filter(|finding| finding.code.id == "W0117");
+    own.map(|finding| sources.text(finding.span).to_owned()).collect()
+}
+
+#[test]
+fn number_when_safety_data_stands_in_series_then_a_warning_unless_the_sequence_is_kept() {
+    assert_eq!(warnings("LES(W,Num)XIC(Safe)OTE(Motor)"), ["Num"]);
+    assert_eq!(warnings("XIC(Safe)MOV(Num,T.PRE)\nXIC(Safe)TON(T,?,?)\nXIC(T.DN)OTE(Motor)"), ["Num"]);
+    let kept = "XIC(Ack)ONS(Edge)EQU(Num,Num2)LIM(1,Num,100)MOV(Num,V)\nLES(W,V)XIC(Safe)OTE(Motor)";
+    assert_eq!(warnings(kept), Vec::<String>::new());
+    assert_eq!(warnings("LES(W,Num)OTE(A)\nXIC(Safe)OTE(Motor)"), Vec::<String>::new());
+    assert_eq!(warnings("LES(W,Num)OTE(Motor)"), Vec::<String>::new());
+}

@@ -23,7 +23,8 @@ use twinrung_grammar::tree::Span;
 use crate::diagnostic::{Finding, Findings};
 use crate::names::{Map, Set};
 use crate::project::{Project, TagClass, TagId, TagKind};
-use crate::rules::{parameter_sequence, sil_2_data, unqualified_operand, unqualified_output};
+use crate::rules::{parameter_in_use, parameter_sequence, sil_2_data, unqualified_operand, unqualified_output};
+use kinds::Kinds;
 use network::Network;
 use origin::Origins;
 use places::{Part, Slot};
@@ -44,14 +45,16 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     }
     let network = builder::build(project);
     if data.has_unqualified() {
-        of_data(project, &network, &data, findings);
+        let mended = of_data(project, &network, &data, findings);
+        of_numbers(project, &network, mended, findings);
     }
     if !integrity.is_empty() {
         of_integrity(project, &network, &integrity, findings);
     }
 }
 
-fn of_data(project: &Project, network: &Network, origins: &Origins, findings: &mut Findings) {
+/// What was reported counts as mended, and is returned.
+fn of_data(project: &Project, network: &Network, origins: &Origins, findings: &mut Findings) -> Set<u32> {
     let source = |slot: Slot| origins.of(network.places.keys[slot as usize], &network.places.merged);
     let mut mended: Set<u32> = Set::default();
     let mut solution = solve(network, source, &mended);
@@ -65,7 +68,7 @@ fn of_data(project: &Project, network: &Network, origins: &Origins, findings: &m
         }
         let found = paths(network, &solution, &outputs);
         if found.is_empty() {
-            return;
+            break;
         }
         for (read, path, output, further) in found {
             mended.insert(read);
@@ -78,6 +81,44 @@ fn of_data(project: &Project, network: &Network, origins: &Origins, findings: &m
             } else {
                 unqualified_output::finding(&from, &to, further, span)
             };
+            push(project, network, read, &path, finding, findings);
+        }
+    }
+    mended
+}
+
+/// Mapped numbers that take part in switching an output at all: to this question nothing but the sequence for
+/// parameters qualifies them.
+fn of_numbers(project: &Project, network: &Network, mended: Set<u32>, findings: &mut Findings) {
+    let mapped: Set<TagId> = project.map.iter().map(|line| line.safety).collect();
+    let source = |slot: Slot| {
+        let key = network.places.keys[slot as usize];
+        let number = !matches!(key.part, Part::On(_) | Part::Off(_) | Part::Joint(_));
+        let outside = key.tag.is_some_and(|tag| mapped.contains(&tag));
+        match (outside && !matches!(key.part, Part::Joint(_)), number) {
+            (true, true) => Some(Kinds::UNQUALIFIED),
+            (true, false) => Some(Kinds::NEUTRAL),
+            (false, _) => None,
+        }
+    };
+    if !(0..network.places.keys.len() as u32).any(|slot| source(slot).is_some_and(Kinds::has_unqualified)) {
+        return;
+    }
+    let outputs: Vec<Slot> =
+        (0..network.places.keys.len() as u32).filter(|slot| is_output(project, network, *slot)).collect();
+    let sequences = Sequences::of(project);
+    let mut mended = mended;
+    for _ in 0..ROUNDS {
+        let found = paths(network, &solve(network, source, &mended), &outputs);
+        if found.is_empty() {
+            return;
+        }
+        for (read, path, output, further) in found {
+            mended.insert(read);
+            let read_span = network.reads[read as usize].span;
+            let from = report::source_text(project, network.places.keys[path.source as usize]);
+            let to = report::name_of(project, network.places.keys[output as usize]);
+            let finding = parameter_in_use::finding(&from, &to, further, sequences.missing(read_span), read_span);
             push(project, network, read, &path, finding, findings);
         }
     }

@@ -153,12 +153,10 @@ fn written(network: &Network) -> Vec<bool> {
     }
     let before = written.clone();
     for (from, to) in &places.links {
-        match (places.keys[*from as usize].part, places.keys[*to as usize].part) {
-            (Part::Word(_), Part::BitOn(..) | Part::BitOff(..)) => {
-                written[*to as usize] |= before[*from as usize];
-                written[*from as usize] |= before[*to as usize];
-            }
-            _ => {}
+        let ends = (places.keys[*from as usize].part, places.keys[*to as usize].part);
+        if let (Part::Word(_), Part::BitOn(..) | Part::BitOff(..)) = ends {
+            written[*to as usize] |= before[*from as usize];
+            written[*from as usize] |= before[*to as usize];
         }
     }
     written

@@ -99,6 +99,7 @@ rules! {
     one_safety_task,
     operand_pair,
     output_not_written,
+    parameter_in_use,
     parameter_sequence,
     pending_edits,
     period,

@@ -22,7 +22,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     for module in &project.modules {
         let Some(network) = module.safety_network.as_ref().and_then(|(text, _)| bytes(text)) else { continue };
         let address = match (&module.shown.address, module.slot) {
-            (Some(address), _) => address.text.to_ascii_lowercase().into(),
+            (Some(address), _) => address.text.to_ascii_lowercase(),
             (None, Some(slot)) => CompactString::from(format!("slot {slot}")),
             (None, None) => continue,
         };

@@ -71,7 +71,7 @@ fn points(shown: &tree::Module) -> Vec<Point> {
         let sil = settings.iter().find(|one| one.key.eq_ignore_ascii_case("SIL"));
         Point {
             kind: point.kind,
-            name: point.name.text.to_ascii_uppercase().into(),
+            name: point.name.text.to_ascii_uppercase(),
             span: point.name.span,
             sil: sil.and_then(|one| one.value.parse().ok()),
             settings,
