@@ -108,7 +108,7 @@ const BASE: &str = r#"CONTROLLER Sample (ProcessorType := "1756-L73S", Major := 
       N: DCS(Stop,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,Doors:I.Pt00Data,Doors:I.Pt01Data,Doors:I.CombinedInputStatus,X);
       N: Outer(Out_1,Door,Y,Axes,Stop_2);
       N: XIC(In_Line.Stop)XIO(In_Line.Status.ConnectionFaulted)OTE(Out_Line.Stop);
-      N: ADD(Mapped,Fixed,Out_Line.Count)GSV(TASK,Safety_Task,Rate,A)XIC(S:FS)OTE(X);
+      N: XIC(In_Line.Stop)ADD(Mapped,Fixed,Out_Line.Count)GSV(TASK,Safety_Task,Rate,A)XIC(S:FS)OTE(X);
       N: XIC(X)JSR(Part,2,5,Step,A);
       N: XIC(Y)JMP(Skip);
       N: XIC(X)MCR();
