@@ -102,7 +102,7 @@ const AWAKE: Duration = Duration::from_micros(500);
 enum Source {
     Stimulus(Drive),
     Random(Inputs),
-    Toggles(Toggles),
+    Toggles(Box<Toggles>),
 }
 
 impl Source {
@@ -111,7 +111,7 @@ impl Source {
             Driven::Stimulus(stimulus) => Drive::new(controller, stimulus).map(Source::Stimulus),
             Driven::Random(seed) => Ok(Source::Random(Inputs::new(controller, *seed))),
             Driven::Toggles(each_scan) => Toggles::new(controller, *each_scan)
-                .map(Source::Toggles)
+                .map(|toggles| Source::Toggles(Box::new(toggles)))
                 .ok_or_else(|| RunError::Load("it does not have the inputs of a generated program".to_owned())),
         }
     }
