@@ -84,20 +84,18 @@ impl Mvc {
         members[DIAGNOSTIC_CODE] = self.latch.diagnostic(&status, cause_gone, own);
     }
 
-    /// A feedback that changed by itself goes before one that did not follow.
+    /// Both channels failing in the same way give the common code (9). The reference gives no order for two ways in
+    /// one scan; decided: the channels are judged in their order, and the first fault is told (1.6 rule 1).
     fn check_feedback(&mut self, feedback: Which, positive: bool, reaction_ms: i32, now_ms: i64) -> i32 {
         let first = self.check_1.judge(feedback.first == self.on, now_ms, reaction_ms);
         let second = self.check_2.judge(feedback.second == self.on, now_ms, reaction_ms);
-        let found = |finding: Finding| Which { first: first == finding, second: second == finding };
-        let expected = self.on == positive;
-        let changed = found(Finding::Unexpected);
-        let too_late = found(Finding::TooLate);
-        if changed.any() {
-            unexpected(changed, !expected)
-        } else if too_late.any() {
-            did_not_follow(too_late, !expected)
-        } else {
-            NONE
+        let told = if first == Finding::Fine { second } else { first };
+        let channels = Which { first: first == told, second: second == told };
+        let raw = self.on != positive;
+        match told {
+            Finding::Fine => NONE,
+            Finding::Unexpected => unexpected(channels, raw),
+            Finding::TooLate => did_not_follow(channels, raw),
         }
     }
 
