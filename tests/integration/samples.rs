@@ -143,7 +143,7 @@ fn samples_when_built_in_two_folders_then_the_images_are_the_same_bytes() {
     }
 }
 
-/// Warnings that a sample gives and its README answers.
+/// Warnings and notes that a sample gives and its README answers.
 const ANSWERED: &[(&str, &str)] = &[("io-fault-latch-inputs", "W0111"), ("io-fault-latch-internal", "W0101")];
 
 /// REQ-SAMPLE-003
