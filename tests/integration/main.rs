@@ -13,6 +13,7 @@ mod idioms;
 mod image_bits;
 mod mutations;
 mod plant_program;
+mod random_instructions;
 mod refused;
 mod samples;
 mod support;
