@@ -29,7 +29,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
             let Some((letter, number)) = point_number(&point.name).filter(|(_, number)| number % 2 == 1) else { continue };
             let Some(first) = module.point(letter, number - 1) else { continue };
             let differs = OPERATION.into_iter().find(|key| operation(first, key) != operation(point, key));
-            if let Some(key) = differs.filter(|_| first.is_dual() || point.is_dual()) {
+            if let Some(key) = differs.filter(|_| is_dual(first) || is_dual(point)) {
                 let message = format!("{} and {} are a pair and differ in {key}", first.name, point.name);
                 let finding = Finding::new(&CODE, point.span, message).label(first.span, "the other point");
                 findings.push(finding.help("set both alike, or both to single"));
@@ -38,6 +38,13 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     }
 }
 
+/// Whether a point is one of a pair; an output is, unless it is set to single (Table 20, default).
+fn is_dual(point: &Point) -> bool {
+    point.is_dual() || (point.name.starts_with('O') && point.setting("Channel").is_none())
+}
+
 fn operation(point: &Point, key: &str) -> Option<String> {
-    point.setting(key).map(|one| one.value.to_ascii_uppercase().to_string()).filter(|word| word != "SINGLE")
+    let written = point.setting(key).map(|one| one.value.to_ascii_uppercase().to_string());
+    let default = (key == "Channel" && point.name.starts_with('O')).then(|| "DUAL".to_owned());
+    written.or(default).filter(|word| word != "SINGLE")
 }
