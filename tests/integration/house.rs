@@ -21,7 +21,14 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ("twinrung-controller", &["twinrung-bytecode", "twinrung-primary", "twinrung-partner"], &[]),
     (
         "twinrung-workbench",
-        &["twinrung-controller", "twinrung-compiler", "twinrung-bytecode", "twinrung-catalog", "twinrung-grammar"],
+        &[
+            "twinrung-controller",
+            "twinrung-compiler",
+            "twinrung-bytecode",
+            "twinrung-catalog",
+            "twinrung-grammar",
+            "twinrung-safety-vectors",
+        ],
         &[],
     ),
     ("twinrung-hostile", &["twinrung-bytecode", "twinrung-compiler", "twinrung-controller", "twinrung-grammar"], &[]),

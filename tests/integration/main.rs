@@ -3,6 +3,7 @@
 mod bench;
 mod bench_mixes;
 mod bound;
+mod certified_set;
 mod checklists;
 mod command;
 mod corpus;
@@ -12,6 +13,8 @@ mod house;
 mod idioms;
 mod image_bits;
 mod mutations;
+mod options;
+mod pages;
 mod plant_program;
 mod random_instructions;
 mod refused;

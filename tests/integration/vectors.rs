@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use twinrung_catalog::operand::OperandKind;
 use twinrung_catalog::{Element, Instruction, Opcode};
-use twinrung_safety_vectors::{Vector, for_instruction};
+use twinrung_safety_vectors::{Replay, Vector, for_instruction};
 use twinrung_trio::{Subject, Trio};
 use twinrung_workbench::Value;
 
@@ -24,8 +24,35 @@ fn driven(kind: OperandKind, index: usize) -> Option<(String, &'static str)> {
     Some((format!("Operand_{index}"), type_name))
 }
 
+/// The operands that are driven from outside: tag, type, and place after the backing tag.
+pub fn driven_operands(instruction: &Instruction) -> Vec<(String, Element, usize)> {
+    let operands = instruction.operands.iter().enumerate().skip(1);
+    operands
+        .filter_map(|(index, operand)| {
+            let (name, type_name) = driven(operand.kind, index)?;
+            Some((name, Element::by_name(type_name)?, index - 1))
+        })
+        .collect()
+}
+
+/// The configuration operands of a vector, one place for each operand after the backing tag.
+pub fn configuration(vector: &Vector) -> Vec<i32> {
+    let mut configuration = vec![0; vector.opcode.instruction().operands.len() - 1];
+    vector.configuration.iter().for_each(|setting| configuration[setting.operand] = setting.value);
+    configuration
+}
+
+/// The members whose values a vector knows in the scan that a replay has reached.
+pub fn expected_members(instruction: &Instruction, replay: &Replay<'_>) -> Vec<(String, Value)> {
+    let members = instruction.safety.unwrap().backing.members;
+    let known = members.iter().zip(replay.expected());
+    known
+        .filter_map(|(member, raw)| Some((format!("Backing.{}", member.name), value(member.element, (*raw)?))))
+        .collect()
+}
+
 /// A project that calls an instruction. Its period is the shortest that a vector has: what passes between scans is the test's affair.
-fn program(instruction: &Instruction, configuration: &[i32]) -> String {
+pub fn program(instruction: &Instruction, configuration: &[i32]) -> String {
     let backing = instruction.safety.unwrap().backing.name;
     let mut tags = format!("Backing : {backing} (Class := Safety);\nRung : BOOL (Class := Safety);\n");
     let mut operands = vec!["Backing".to_owned()];
@@ -48,7 +75,8 @@ fn program(instruction: &Instruction, configuration: &[i32]) -> String {
     )
 }
 
-fn value(element: Element, raw: i32) -> Value {
+/// A raw value as a member of this type shows it.
+pub fn value(element: Element, raw: i32) -> Value {
     match element {
         Element::Bool => Value::Bool(raw != 0),
         Element::Real => Value::Real(f32::from_bits(raw as u32)),
@@ -56,25 +84,22 @@ fn value(element: Element, raw: i32) -> Value {
     }
 }
 
-fn same(element: Element, raw: i32, found: Value) -> bool {
-    match found {
-        Value::Real(found) => element == Element::Real && found.to_bits() == raw as u32,
-        found => found == value(element, raw),
+/// Whether two values are the same to the bit.
+pub fn same(expected: Value, found: Value) -> bool {
+    match (expected, found) {
+        (Value::Real(expected), Value::Real(found)) => found.to_bits() == expected.to_bits(),
+        (expected, found) => found == expected,
     }
 }
 
 fn replay(subject: &Subject, vector: &Vector, period_ms: u32) -> Result<u32, String> {
     let instruction = vector.opcode.instruction();
-    let members = instruction.safety.unwrap().backing.members;
     let mut trio = Trio::new(subject);
     let mut replay = vector.replay(period_ms);
     let mut scans = 0;
     while let Some(scan) = replay.next_scan() {
-        for (index, operand) in instruction.operands.iter().enumerate().skip(1) {
-            if let Some((name, type_name)) = driven(operand.kind, index) {
-                let element = Element::by_name(type_name).unwrap();
-                trio.set(&name, value(element, replay.operands()[index - 1]));
-            }
+        for (name, element, place) in driven_operands(instruction) {
+            trio.set(&name, value(element, replay.operands()[place]));
         }
         trio.set("Rung", Value::Bool(scan.rung));
         if scan.prescan {
@@ -82,11 +107,10 @@ fn replay(subject: &Subject, vector: &Vector, period_ms: u32) -> Result<u32, Str
         }
         trio.scan(scan.now_ms).map_err(|error| format!("at {} ms: {error}", scan.now_ms))?;
         scans += 1;
-        for (member, expected) in members.iter().zip(replay.expected()) {
-            let Some(expected) = expected else { continue };
-            let found = trio.value(&format!("Backing.{}", member.name));
-            if !same(member.element, *expected, found) {
-                return Err(format!("at {} ms: {} is {found}, expected {expected}", scan.now_ms, member.name));
+        for (name, expected) in expected_members(instruction, &replay) {
+            let found = trio.value(&name);
+            if !same(expected, found) {
+                return Err(format!("at {} ms: {name} is {found}, expected {expected}", scan.now_ms));
             }
         }
     }
@@ -102,8 +126,7 @@ fn expect_vectors(opcodes: &[Opcode]) {
         let (mut runs, mut scans) = (0, 0);
         for vector in vectors.iter().filter(|vector| vector.is_admissible()) {
             for period_ms in vector.periods_ms.iter().copied() {
-                let mut configuration = vec![0; instruction.operands.len() - 1];
-                vector.configuration.iter().for_each(|setting| configuration[setting.operand] = setting.value);
+                let configuration = configuration(vector);
                 let subject = subjects.entry(configuration.clone()).or_insert_with(|| {
                     let text = program(instruction, &configuration);
                     Subject::from_text(&text).unwrap_or_else(|errors| panic!("{errors:#?}\n{text}"))

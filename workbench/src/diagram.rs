@@ -19,8 +19,8 @@ const LEAST_PLOT: usize = 20;
 /// Longest name shown whole.
 const LONGEST_NAME: usize = 32;
 
-const LOW: char = '▁';
-const HIGH: char = '█';
+pub(crate) const LOW: char = '▁';
+pub(crate) const HIGH: char = '█';
 const BOTH: char = '▒';
 
 /// Draws a recording. BOOLs are bars (`▁` off, `█` on, `▒` both within one column); a number is written where it changes.

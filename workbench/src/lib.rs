@@ -1,7 +1,8 @@
-//! What engineers do with a controller: drive it with a stimulus, record it, look at the timing diagram, measure it.
+//! What engineers do with a controller: drive it with a stimulus, record it, look at the timing diagram, measure it; and
+//! what they read about an instruction or a finding.
 //!
-//! It may use the controller and, through it, both channels; it never executes logic itself, and it never writes a file:
-//! the command does.
+//! It may use the catalog, the vectors, the compiler, the controller and, through it, both channels; it never executes logic
+//! itself, and it never writes a file: the command does.
 
 #![forbid(unsafe_code)]
 
@@ -12,6 +13,7 @@ pub mod drive;
 pub mod instruction_rungs;
 pub mod mix;
 pub mod names;
+pub mod pages;
 pub mod recording;
 pub mod run;
 pub mod signal;

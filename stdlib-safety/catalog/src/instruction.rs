@@ -1,6 +1,7 @@
 //! What an instruction is: the shape of one row of the certified set.
 
 use crate::code::Code;
+use crate::execution::Execution;
 use crate::operand::Operand;
 use crate::predefined::PredefinedType;
 
@@ -33,6 +34,8 @@ pub struct Instruction {
     pub operands: &'static [Operand],
     /// One sentence for `explain`.
     pub summary: &'static str,
+    /// What it does with a true and a false rung and in a prescan, for `explain`.
+    pub execution: Execution,
     /// For safety application instructions: the rest of the declaration.
     pub safety: Option<&'static SafetyApplication>,
 }

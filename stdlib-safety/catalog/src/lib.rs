@@ -11,6 +11,7 @@
 
 pub mod code;
 pub mod controller;
+pub mod execution;
 pub mod instruction;
 pub mod instructions;
 pub mod modules;
@@ -21,6 +22,7 @@ pub mod types;
 
 pub use code::{Code, CodeWord};
 pub use controller::{Controller, Family};
+pub use execution::Execution;
 pub use instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 pub use operand::{Access, ChoiceList, Operand, OperandKind};
 pub use predefined::{Element, Member, MemberRole, PredefinedType};

@@ -24,6 +24,8 @@
 //!
 //! * `shows`: what the vector is about. `source`: file and section of the reference; `trace ...` where a row of its
 //!   tables was taken over. `mark`: the reference's origin mark of what is expected (`recalled`, `decided`, `doc`).
+//! * `normal`: marks the one vector of an instruction that shows its normal operation, and says what to see in it. The
+//!   instruction's page draws its timing diagram from this vector.
 //! * `period`: the periods in ms with which the vector may be run, each with the same expectations.
 //! * `config`: the configuration operands, choices as words with `_` for blanks.
 //! * A line that begins with a number is a time in ms since the first scan. Left of `->` stand input operands that
@@ -67,6 +69,15 @@ pub use vector::{Expectation, Setting, Step, Vector};
 
 use alloc::vec::Vec;
 use twinrung_catalog::Opcode;
+
+/// The vector that shows the normal operation of an instruction; `None` where no vector is marked so.
+///
+/// # Errors
+///
+/// As [`for_instruction`].
+pub fn normal_operation(opcode: Opcode) -> Result<Option<Vector>, VectorError> {
+    Ok(for_instruction(opcode)?.into_iter().find(|vector| !vector.normal.is_empty()))
+}
 
 /// The vectors of an instruction, in the order of its file.
 ///

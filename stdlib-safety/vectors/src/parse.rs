@@ -65,6 +65,7 @@ impl Reader {
             "shows" => vector.shows = rest,
             "source" => vector.source = rest,
             "mark" => vector.mark = rest,
+            "normal" => vector.normal = rest,
             "period" => vector.periods_ms = periods(rest)?,
             "config" => {
                 for item in rest.split_whitespace() {
@@ -86,6 +87,7 @@ impl Reader {
             shows: "",
             source: "",
             mark: "",
+            normal: "",
             periods_ms: Vec::new(),
             configuration: Vec::new(),
             steps: Vec::new(),

@@ -17,6 +17,8 @@ pub struct Vector {
     pub source: &'static str,
     /// The reference's origin mark of what is expected.
     pub mark: &'static str,
+    /// What to see in it, where this is the vector of normal operation: the instruction's page draws it. Empty elsewhere.
+    pub normal: &'static str,
     /// The scan periods with which it may be run, in ms.
     pub periods_ms: Vec<u32>,
     /// The configuration operands.

@@ -1,8 +1,8 @@
 //! The vector files against the catalog.
 
 use std::collections::BTreeSet;
-use twinrung_catalog::{CodeWord, MemberRole, Opcode};
-use twinrung_safety_vectors::{Vector, VectorErrorKind, coverage, for_instruction, parse};
+use twinrung_catalog::{CodeWord, Element, MemberRole, Opcode};
+use twinrung_safety_vectors::{Vector, VectorErrorKind, coverage, for_instruction, normal_operation, parse};
 
 fn instructions() -> impl Iterator<Item = Opcode> {
     Opcode::ALL.iter().copied().filter(|opcode| opcode.instruction().safety.is_some())
@@ -140,4 +140,42 @@ fn vectors_when_their_configuration_is_out_of_range_or_changes_then_they_are_not
         .collect();
     let expected = ["Cbcm", "Cbim", "Cbssm", "Fsbm", "Tsam", "Tssm"].map(str::to_owned);
     assert_eq!(corrupt, BTreeSet::from(expected));
+}
+
+#[test]
+fn normal_operation_when_looked_up_then_one_vector_of_each_instruction_is_marked_and_it_shows_no_fault() {
+    for opcode in instructions() {
+        let vectors = for_instruction(opcode).unwrap();
+        let marked: Vec<&Vector> = vectors.iter().filter(|vector| !vector.normal.is_empty()).collect();
+        assert_eq!(marked.len(), 1, "{opcode:?}");
+        assert_eq!(normal_operation(opcode).unwrap().as_ref(), Some(marked[0]));
+        let faults: Vec<&str> =
+            marked[0].expected_codes().filter(|code| code.word == CodeWord::Fault).map(|code| code.cause).collect();
+        assert_eq!(faults, Vec::<&str>::new(), "{opcode:?}");
+        let shown = |name, value| {
+            let mut expected = marked[0].steps.iter().flat_map(|step| &step.expected);
+            expected.any(|expectation| expectation.name == name && expectation.value == value)
+        };
+        assert!(!shown("FP", 1), "{opcode:?} shows a fault");
+        assert!(marked[0].is_admissible(), "{opcode:?} is no call that compiles");
+        assert!(marked[0].steps.iter().all(|step| step.rung.is_none() && !step.prescan), "{opcode:?}");
+    }
+}
+
+#[test]
+fn normal_operation_when_looked_up_then_an_output_is_off_and_turns_on() {
+    for opcode in instructions() {
+        let vector = normal_operation(opcode).unwrap().unwrap();
+        let outputs = opcode.instruction().safety.unwrap().backing.members.iter().filter(|member| {
+            member.role == MemberRole::Output && member.element == Element::Bool && member.name != "EnableOut"
+        });
+        let moving = outputs
+            .filter(|member| {
+                let mut values = vector.steps.iter().flat_map(|step| &step.expected);
+                let takes = |value| values.any(|found| found.name == member.name && found.value == value);
+                [0, 1].into_iter().all(takes)
+            })
+            .count();
+        assert!(moving > 0, "{opcode:?} shows no output that turns on");
+    }
 }

@@ -1,5 +1,6 @@
 //! Array (file) instructions. general-instructions.md A.6.
 
+use crate::execution::{LEFT, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -31,6 +32,14 @@ pub static FAL: Instruction = Instruction {
         operand("Expression", Expression),
     ],
     summary: "Stores an expression for each element.",
+    execution: execution(
+        "A rising rung begins, ALL and a number n at POS 0. ALL: every element in that scan. INC: one element for \
+         each rising rung. A number n: n elements in each scan until done. DN is set after the last element.",
+        "Clears EN; when DN is set, DN and POS too. A number n goes on until it is done.",
+        "Clears EN, DN and ER; POS stays.",
+        "An overflow sets ER, POS stays on that element, and nothing runs until ER is cleared. Major fault 4/21 \
+         when LEN or POS is negative, 4/20 when a subscript leads out of its array.",
+    ),
     safety: None,
 };
 
@@ -54,6 +63,15 @@ pub static FSC: Instruction = Instruction {
         operand("Expression", Condition),
     ],
     summary: "Looks for the first element for which the expression is true.",
+    execution: execution(
+        "A rising rung begins, ALL and a number n at POS 0. ALL: every element in that scan. INC: one element for \
+         each rising rung. A number n: n elements in each scan. A hit sets FD and IN, POS stays on it, and nothing \
+         runs until IN is cleared; then the search goes on behind it. DN is set after the last element.",
+        "Clears EN; when DN is set, DN and POS too. A number n goes on until it is done.",
+        "Clears EN, DN and ER; POS, IN and FD stay.",
+        "Arithmetic that overflows sets S:V and logs minor fault 4/4. Major fault 4/21 when LEN or POS is \
+         negative, 4/20 when a subscript leads out of its array.",
+    ),
     safety: None,
 };
 
@@ -75,6 +93,13 @@ pub static FLL: Instruction = Instruction {
         operand("Length", ConstantLength),
     ],
     summary: "Stores one value into consecutive elements.",
+    execution: execution(
+        "Converts Source and stores it into Length elements, beginning with Dest.",
+        LEFT,
+        NOTHING,
+        "Major fault 4/20 when a subscript leads out of its array. A value that does not fit sets S:V and logs \
+         minor fault 4/4.",
+    ),
     safety: None,
 };
 
@@ -96,5 +121,6 @@ pub static SIZE: Instruction = Instruction {
         operand("Size", Number(Access::Write)),
     ],
     summary: "Stores the number of elements of a dimension.",
+    execution: execution("Stores the number of elements of the dimension.", LEFT, NOTHING, "The flags stay."),
     safety: None,
 };

@@ -1,5 +1,6 @@
 //! Contacts, coils and one-shots. general-instructions.md A.1.
 
+use crate::execution::{LEFT, NOT_READ, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{Access, OperandKind::Bit, operand};
 
@@ -17,6 +18,7 @@ pub static XIC: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Data Bit", Bit(Access::Read))],
     summary: "Passes the rung condition while the bit is set.",
+    execution: execution("Passes on while the bit is 1.", NOT_READ, NOTHING, ""),
     safety: None,
 };
 
@@ -34,6 +36,7 @@ pub static XIO: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Data Bit", Bit(Access::Read))],
     summary: "Passes the rung condition while the bit is clear.",
+    execution: execution("Passes on while the bit is 0.", NOT_READ, NOTHING, ""),
     safety: None,
 };
 
@@ -51,6 +54,7 @@ pub static OTE: Instruction = Instruction {
     transitional: true,
     operands: &[operand("Data Bit", Bit(Access::Write))],
     summary: "Sets the bit to the rung condition.",
+    execution: execution("Sets the bit.", "Clears the bit.", "Clears the bit.", ""),
     safety: None,
 };
 
@@ -68,6 +72,7 @@ pub static OTL: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Data Bit", Bit(Access::Write))],
     summary: "Sets the bit while the rung is true; a false rung leaves it.",
+    execution: execution("Sets the bit.", LEFT, NOTHING, ""),
     safety: None,
 };
 
@@ -85,6 +90,7 @@ pub static OTU: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Data Bit", Bit(Access::Write))],
     summary: "Clears the bit while the rung is true; a false rung leaves it.",
+    execution: execution("Clears the bit.", LEFT, NOTHING, ""),
     safety: None,
 };
 
@@ -102,6 +108,12 @@ pub static ONS: Instruction = Instruction {
     transitional: true,
     operands: &[operand("Storage Bit", Bit(Access::ReadWrite))],
     summary: "Passes a true rung condition for one execution after it rose.",
+    execution: execution(
+        "Storage bit 0: sets it and passes on. Storage bit 1: is false.",
+        "Clears the storage bit and is false.",
+        "Sets the storage bit: an input that is on at the first scan gives no pulse.",
+        "",
+    ),
     safety: None,
 };
 
@@ -119,6 +131,12 @@ pub static OSR: Instruction = Instruction {
     transitional: true,
     operands: &[operand("Storage Bit", Bit(Access::ReadWrite)), operand("Output Bit", Bit(Access::Write))],
     summary: "Sets the output bit for one execution after the rung rose.",
+    execution: execution(
+        "Storage bit 0: sets it and the output bit. Storage bit 1: clears the output bit.",
+        "Clears both bits.",
+        "Sets the storage bit, clears the output bit.",
+        "",
+    ),
     safety: None,
 };
 
@@ -136,5 +154,11 @@ pub static OSF: Instruction = Instruction {
     transitional: true,
     operands: &[operand("Storage Bit", Bit(Access::ReadWrite)), operand("Output Bit", Bit(Access::Write))],
     summary: "Sets the output bit for one execution after the rung fell.",
+    execution: execution(
+        "Sets the storage bit, clears the output bit.",
+        "Storage bit 1: clears it and sets the output bit. Storage bit 0: clears the output bit.",
+        "Clears both bits.",
+        "",
+    ),
     safety: None,
 };

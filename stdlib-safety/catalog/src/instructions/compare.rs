@@ -1,5 +1,6 @@
 //! Comparisons. general-instructions.md A.4.
 
+use crate::execution::{NOT_READ, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -21,6 +22,12 @@ pub static EQU: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A equals B.",
+    execution: execution(
+        "Passes on when A equals B. The comparison is REAL where an operand is REAL, else DINT. NaN equals nothing.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -38,6 +45,13 @@ pub static NEQ: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A differs from B.",
+    execution: execution(
+        "Passes on when A differs from B. The comparison is REAL where an operand is REAL, else DINT. NaN differs \
+         from everything.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -55,6 +69,13 @@ pub static GRT: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is greater than B.",
+    execution: execution(
+        "Passes on when A is above B. The comparison is REAL where an operand is REAL, else DINT. With NaN it is \
+         false.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -72,6 +93,13 @@ pub static GEQ: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is greater than or equal to B.",
+    execution: execution(
+        "Passes on when A is B or above. The comparison is REAL where an operand is REAL, else DINT. With NaN it \
+         is false.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -89,6 +117,13 @@ pub static LES: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is less than B.",
+    execution: execution(
+        "Passes on when A is below B. The comparison is REAL where an operand is REAL, else DINT. With NaN it is \
+         false.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -106,6 +141,13 @@ pub static LEQ: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is less than or equal to B.",
+    execution: execution(
+        "Passes on when A is B or below. The comparison is REAL where an operand is REAL, else DINT. With NaN it \
+         is false.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -127,6 +169,13 @@ pub static LIM: Instruction = Instruction {
         operand("High Limit", Number(Access::Read)),
     ],
     summary: "Passes while the test value lies within the limits; with low above high, while it lies outside the open gap.",
+    execution: execution(
+        "Low Limit at most High Limit: passes on when Test lies between them, both ends included. Low Limit above \
+         High Limit: when Test is at least Low Limit or at most High Limit.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -148,6 +197,12 @@ pub static MEQ: Instruction = Instruction {
         operand("Compare", Integer(Access::Read)),
     ],
     summary: "Passes while source and compare agree in the bits that the mask sets.",
+    execution: execution(
+        "Passes on when Source and Compare agree in every bit that Mask sets. SINT and INT are filled with zeros.",
+        NOT_READ,
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -165,5 +220,11 @@ pub static CMP: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Expression", Condition)],
     summary: "Passes while the expression is true.",
+    execution: execution(
+        "Passes on when the relation holds; without a relation, when the value is not 0.",
+        NOT_READ,
+        NOTHING,
+        "Arithmetic that overflows sets S:V and logs minor fault 4/4; the other flags stay.",
+    ),
     safety: None,
 };

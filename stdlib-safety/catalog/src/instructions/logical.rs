@@ -1,5 +1,6 @@
 //! Bitwise logic. general-instructions.md A.7.
 
+use crate::execution::{LEFT, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{Access, OperandKind::Integer, operand};
 
@@ -21,6 +22,12 @@ pub static AND: Instruction = Instruction {
         operand("Dest", Integer(Access::Write)),
     ],
     summary: "Stores the bits set in both sources.",
+    execution: execution(
+        "Stores A AND B, bit by bit. SINT and INT are filled with zeros.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
+    ),
     safety: None,
 };
 
@@ -42,6 +49,12 @@ pub static OR: Instruction = Instruction {
         operand("Dest", Integer(Access::Write)),
     ],
     summary: "Stores the bits set in either source.",
+    execution: execution(
+        "Stores A OR B, bit by bit. SINT and INT are filled with zeros.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
+    ),
     safety: None,
 };
 
@@ -63,6 +76,12 @@ pub static XOR: Instruction = Instruction {
         operand("Dest", Integer(Access::Write)),
     ],
     summary: "Stores the bits in which the sources differ.",
+    execution: execution(
+        "Stores A XOR B, bit by bit. SINT and INT are filled with zeros.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
+    ),
     safety: None,
 };
 
@@ -80,5 +99,11 @@ pub static NOT: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", Integer(Access::Read)), operand("Dest", Integer(Access::Write))],
     summary: "Stores the inverted bits of the source.",
+    execution: execution(
+        "Stores Source with every bit inverted. SINT and INT are filled with zeros.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
+    ),
     safety: None,
 };

@@ -1,5 +1,6 @@
 //! Arithmetic. general-instructions.md A.9.
 
+use crate::execution::{LEFT, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -25,6 +26,13 @@ pub static ADD: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores A + B.",
+    execution: execution(
+        "Stores A + B. It is REAL where an operand or Dest is REAL, else DINT.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored. S:C is the carry of integers.",
+    ),
     safety: None,
 };
 
@@ -46,6 +54,13 @@ pub static SUB: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores A - B.",
+    execution: execution(
+        "Stores A - B. It is REAL where an operand or Dest is REAL, else DINT.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored. S:C is the carry of integers.",
+    ),
     safety: None,
 };
 
@@ -67,6 +82,13 @@ pub static MUL: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores A x B.",
+    execution: execution(
+        "Stores A * B. It is REAL where an operand or Dest is REAL, else DINT.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored.",
+    ),
     safety: None,
 };
 
@@ -88,6 +110,14 @@ pub static DIV: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores A / B, truncated where all operands are integers.",
+    execution: execution(
+        "Stores A / B. Integers are divided toward zero; a REAL quotient for an integer Dest is rounded, halves to \
+         even. Integer B = 0: stores A. REAL B = 0: stores infinity with the sign of A.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored. A division by 0 does so too.",
+    ),
     safety: None,
 };
 
@@ -109,6 +139,13 @@ pub static MOD: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores the remainder of A / B with the sign of A.",
+    execution: execution(
+        "Stores the remainder of A / B, with the sign of A. B = 0: stores 0.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored. A division by 0 does so too.",
+    ),
     safety: None,
 };
 
@@ -126,6 +163,14 @@ pub static SQR: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the square root of the absolute value.",
+    execution: execution(
+        "Stores the square root of the absolute value of Source: truncated for integers, rounded for a REAL Source \
+         and an integer Dest.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored.",
+    ),
     safety: None,
 };
 
@@ -143,6 +188,13 @@ pub static NEG: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores 0 - source.",
+    execution: execution(
+        "Stores 0 - Source; -2147483648 stays as it is.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored.",
+    ),
     safety: None,
 };
 
@@ -160,6 +212,13 @@ pub static ABS: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the value without its sign.",
+    execution: execution(
+        "Stores the absolute value of Source; -2147483648 stays as it is.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored.",
+    ),
     safety: None,
 };
 
@@ -177,5 +236,13 @@ pub static CPT: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Dest", Number(Access::Write)), operand("Expression", Expression)],
     summary: "Stores the value of the expression.",
+    execution: execution(
+        "Stores the value of the expression. It is REAL throughout where any operand or Dest is REAL, else DINT; \
+         AND, OR, XOR and NOT are DINT always.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
+         bits are stored.",
+    ),
     safety: None,
 };

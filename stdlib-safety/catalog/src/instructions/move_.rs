@@ -1,5 +1,6 @@
 //! Moves and copies. general-instructions.md A.5 and A.6.
 
+use crate::execution::{LEFT, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -21,6 +22,13 @@ pub static MOV: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the converted source.",
+    execution: execution(
+        "Converts Source to the type of Dest and stores it.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value. A value that does not fit Dest sets S:V and logs minor fault 4/4; its \
+         low bits are stored.",
+    ),
     safety: None,
 };
 
@@ -42,6 +50,12 @@ pub static MVM: Instruction = Instruction {
         operand("Dest", Integer(Access::ReadWrite)),
     ],
     summary: "Stores the bits of the source that the mask sets.",
+    execution: execution(
+        "Stores the bits of Source that Mask sets; the other bits of Dest stay. SINT and INT are filled with zeros.",
+        LEFT,
+        NOTHING,
+        "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
+    ),
     safety: None,
 };
 
@@ -59,6 +73,7 @@ pub static CLR: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Dest", Number(Access::Write))],
     summary: "Stores 0.",
+    execution: execution("Stores 0.", LEFT, NOTHING, "S:Z is set; S:N, S:V and S:C are cleared."),
     safety: None,
 };
 
@@ -76,6 +91,12 @@ pub static COP: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Source", CopySource), operand("Dest", CopyDestination), operand("Length", ConstantLength)],
     summary: "Copies bytes without conversion; the length is a constant and both sides have the same size.",
+    execution: execution(
+        "Copies Length elements of Dest byte by byte, first to last, without conversion.",
+        LEFT,
+        NOTHING,
+        "Major fault 4/20 when a subscript leads out of its array. The flags stay.",
+    ),
     safety: None,
 };
 
@@ -97,5 +118,12 @@ pub static SWPB: Instruction = Instruction {
         operand("Dest", Number(Access::Write)),
     ],
     summary: "Stores the source with its bytes in another order.",
+    execution: execution(
+        "Stores the bytes in another order. Four bytes ABCD become DCBA (REVERSE), CDAB (WORD) or BADC (HIGH/LOW); \
+         two bytes AB become BA.",
+        LEFT,
+        NOTHING,
+        "The flags stay.",
+    ),
     safety: None,
 };

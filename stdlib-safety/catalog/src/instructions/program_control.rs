@@ -1,5 +1,6 @@
 //! Program control. general-instructions.md A.8.
 
+use crate::execution::{NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -21,6 +22,13 @@ pub static JMP: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Label Name", Label)],
     summary: "Continues at the rung with the label.",
+    execution: execution(
+        "Goes on at the rung with the label; the rungs between are not executed at all: bits keep their values, \
+         timers get no update.",
+        "Nothing.",
+        "Does not jump: every rung is visited.",
+        "Major fault 4/94 when it would jump backward more than 1,000 times in a scan.",
+    ),
     safety: None,
 };
 
@@ -38,6 +46,7 @@ pub static LBL: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Label Name", LabelDefinition)],
     summary: "Names a rung that JMP can reach.",
+    execution: execution("Passes the rung condition on.", "Passes the rung condition on.", NOTHING, ""),
     safety: None,
 };
 
@@ -59,6 +68,13 @@ pub static JSR: Instruction = Instruction {
         repeated("Parameter", Parameter(Access::ReadWrite)),
     ],
     summary: "Runs another routine of the program.",
+    execution: execution(
+        "Copies the inputs to the parameters of SBR, runs the routine, copies the values of RET to the return \
+         parameters, and goes on.",
+        "Nothing: the routine does not run.",
+        "Prescans the routine, once for all its calls; no parameters are passed.",
+        "",
+    ),
     safety: None,
 };
 
@@ -76,6 +92,12 @@ pub static SBR: Instruction = Instruction {
     transitional: false,
     operands: &[repeated("Input Parameter", Parameter(Access::Write))],
     summary: "Receives the inputs of a JSR.",
+    execution: execution(
+        "Receives the inputs of the JSR; passes the rung condition on.",
+        "Passes the rung condition on.",
+        NOTHING,
+        "",
+    ),
     safety: None,
 };
 
@@ -93,6 +115,12 @@ pub static RET: Instruction = Instruction {
     transitional: false,
     operands: &[repeated("Return Parameter", Parameter(Access::Read))],
     summary: "Ends the routine and hands values back.",
+    execution: execution(
+        "Ends the routine and hands its values back to the JSR. In a main routine it ends the program.",
+        "Nothing.",
+        "Does not return: every rung is visited.",
+        "",
+    ),
     safety: None,
 };
 
@@ -110,6 +138,13 @@ pub static TND: Instruction = Instruction {
     transitional: false,
     operands: &[],
     summary: "Ends the routine.",
+    execution: execution(
+        "Ends the routine: a subroutine returns, a main routine ends its program. The rest of the rung is not \
+         executed.",
+        "Nothing.",
+        "Does not end the routine.",
+        "",
+    ),
     safety: None,
 };
 
@@ -127,6 +162,13 @@ pub static MCR: Instruction = Instruction {
     transitional: true,
     operands: &[],
     summary: "Begins or ends a zone whose rungs all start false.",
+    execution: execution(
+        "Nothing.",
+        "Begins a zone, or ends the one that is open. Within a zone every rung starts false: OTE clears, OTL and \
+         OTU leave, timers and counters see a false rung, JSR and JMP do nothing.",
+        "Does not begin a zone.",
+        "",
+    ),
     safety: None,
 };
 
@@ -144,6 +186,7 @@ pub static AFI: Instruction = Instruction {
     transitional: false,
     operands: &[],
     summary: "Makes the rung false.",
+    execution: execution("Is false.", "Is false.", NOTHING, ""),
     safety: None,
 };
 
@@ -161,6 +204,7 @@ pub static NOP: Instruction = Instruction {
     transitional: false,
     operands: &[],
     summary: "Does nothing.",
+    execution: execution("Nothing.", "Nothing.", NOTHING, ""),
     safety: None,
 };
 
@@ -178,5 +222,12 @@ pub static EVENT: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Task", EventTask)],
     summary: "Triggers one execution of a standard event task.",
+    execution: execution(
+        "Triggers the task once, in every scan in which the rung is true: put a one shot before it. The task runs \
+         after the outputs of the safety task are written.",
+        "Nothing.",
+        NOTHING,
+        "",
+    ),
     safety: None,
 };

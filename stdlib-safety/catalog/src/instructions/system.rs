@@ -1,5 +1,6 @@
 //! System values. general-instructions.md A.10.
 
+use crate::execution::{LEFT, NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -26,6 +27,13 @@ pub static GSV: Instruction = Instruction {
         operand("Dest", SystemData(Access::Write)),
     ],
     summary: "Reads an attribute of a safety object.",
+    execution: execution(
+        "Copies the attribute to Dest. Both channels get one sample.",
+        LEFT,
+        NOTHING,
+        "Minor fault 4/5 when the object is not there, 4/6 when the attribute is not, 4/7 when Dest is too small; \
+         Dest then stays.",
+    ),
     safety: None,
 };
 
@@ -48,6 +56,12 @@ pub static SSV: Instruction = Instruction {
         operand("Source", SystemData(Access::Read)),
     ],
     summary: "Writes an attribute of a safety object.",
+    execution: execution(
+        "Copies Source to the attribute.",
+        "Nothing.",
+        NOTHING,
+        "Minor fault 4/5 when the object is not there, 4/6 when the attribute cannot be set so.",
+    ),
     safety: None,
 };
 

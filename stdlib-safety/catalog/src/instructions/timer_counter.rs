@@ -1,5 +1,6 @@
 //! Timers, counters and RES. general-instructions.md A.2 and A.3.
 
+use crate::execution::{NOTHING, execution};
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
 use crate::operand::{
     Access,
@@ -26,6 +27,14 @@ pub static TON: Instruction = Instruction {
         operand("Accum", Pseudo("ACC")),
     ],
     summary: "Sets DN after the rung has been true for PRE ms; the first true execution adds no time.",
+    execution: execution(
+        "Sets EN. While DN is 0 it times: TT is set; the first true execution adds no time, each further one adds \
+         what has passed to ACC; at ACC >= PRE DN is set and TT cleared. A PRE of 0 is done at the second true \
+         execution.",
+        "Clears EN, TT, DN and ACC.",
+        "Clears EN, TT, DN and ACC.",
+        "Major fault 4/34 when PRE or ACC is negative while it is enabled.",
+    ),
     safety: None,
 };
 
@@ -47,6 +56,13 @@ pub static TOF: Instruction = Instruction {
         operand("Accum", Pseudo("ACC")),
     ],
     summary: "Clears DN after the rung has been false for PRE ms.",
+    execution: execution(
+        "Sets EN and DN, clears TT and ACC.",
+        "Clears EN. While DN is 1 it times: TT is set; the first false execution adds no time; at ACC >= PRE DN \
+         and TT are cleared.",
+        "Clears EN, TT and DN and sets ACC to PRE: a rung that starts false does not time.",
+        "Major fault 4/34 when PRE or ACC is negative while it times. RES of a TOF is refused.",
+    ),
     safety: None,
 };
 
@@ -68,6 +84,14 @@ pub static RTO: Instruction = Instruction {
         operand("Accum", Pseudo("ACC")),
     ],
     summary: "As TON, and keeps ACC and DN while the rung is false.",
+    execution: execution(
+        "Sets EN. While DN is 0 it times: TT is set; the first true execution adds no time, each further one adds \
+         what has passed to ACC; at ACC >= PRE DN is set and TT cleared. A PRE of 0 is done at the second true \
+         execution.",
+        "Clears EN and TT; ACC and DN stay.",
+        "Clears EN, TT and DN; ACC stays. A timer that was done sets DN again at its first true execution.",
+        "Major fault 4/34 when PRE or ACC is negative while it is enabled.",
+    ),
     safety: None,
 };
 
@@ -89,6 +113,13 @@ pub static CTU: Instruction = Instruction {
         operand("Accum", Pseudo("ACC")),
     ],
     summary: "Adds one to ACC when the rung rises.",
+    execution: execution(
+        "When CU is 0: sets it and adds one to ACC; above 2147483647 ACC goes on at -2147483648 and OV is set. DN \
+         tells ACC >= PRE; while OV or UN is set it keeps its value.",
+        "Clears CU. DN is refreshed; ACC, OV and UN stay.",
+        "Sets CU: a rung that is true at the first scan is not counted.",
+        "",
+    ),
     safety: None,
 };
 
@@ -110,6 +141,13 @@ pub static CTD: Instruction = Instruction {
         operand("Accum", Pseudo("ACC")),
     ],
     summary: "Takes one from ACC when the rung rises.",
+    execution: execution(
+        "When CD is 0: sets it and takes one from ACC; below -2147483648 ACC goes on at 2147483647 and UN is set. \
+         DN tells ACC >= PRE; while OV or UN is set it keeps its value.",
+        "Clears CD. DN is refreshed; ACC, OV and UN stay.",
+        "Sets CD: a rung that is true at the first scan is not counted.",
+        "",
+    ),
     safety: None,
 };
 
@@ -127,5 +165,12 @@ pub static RES: Instruction = Instruction {
     transitional: false,
     operands: &[operand("Structure", Resettable)],
     summary: "Clears ACC (or POS) and the status bits of a TIMER, COUNTER or CONTROL.",
+    execution: execution(
+        "TIMER: clears ACC, EN, TT and DN. COUNTER: clears ACC, CU, CD, DN, OV and UN. CONTROL: clears POS and \
+         every flag. PRE and LEN stay.",
+        "Nothing.",
+        NOTHING,
+        "",
+    ),
     safety: None,
 };

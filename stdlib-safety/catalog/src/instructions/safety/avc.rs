@@ -3,6 +3,7 @@
 use super::choices::{DELAY_TYPE, FEEDBACK, TRUTH};
 use super::codes::{self, feedback};
 use crate::code::diagnostic;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -38,6 +39,7 @@ pub static AVC: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives an auxiliary valve with a delay, for soft starting or stopping, and watches its feedback.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &AUX_VALVE_CONTROL,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::{ACK_TYPE, CONTINUOUS_MODE, TAKEOVER};
 use super::codes::permissive;
 use crate::code::diagnostic;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -40,6 +41,7 @@ pub static CBCM: Instruction = Instruction {
         operand("Safety Enable Ack", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives a press stroke after stroke until Stop At Top.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &CB_CONTINUOUS_MODE,
         mirrored: &[

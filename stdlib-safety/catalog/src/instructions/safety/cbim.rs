@@ -3,6 +3,7 @@
 use super::choices::ACK_TYPE;
 use super::codes::permissive;
 use crate::code::diagnostic;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -37,6 +38,7 @@ pub static CBIM: Instruction = Instruction {
         operand("Safety Enable Ack", TAG_OR_IMMEDIATE),
     ],
     summary: "Moves a press a little while Start is held, for set-up.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &CB_INCH_MODE,
         mirrored: &[

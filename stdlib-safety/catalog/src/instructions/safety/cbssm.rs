@@ -2,6 +2,7 @@
 
 use super::choices::{ACK_TYPE, TAKEOVER};
 use super::codes::permissive;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -36,6 +37,7 @@ pub static CBSSM: Instruction = Instruction {
         operand("Safety Enable Ack", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives a press through one stroke for each press of Start.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &CB_SINGLE_STROKE_MODE,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::CAM_PROFILE;
 use super::codes;
 use crate::code::fault;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -36,6 +37,7 @@ pub static CPM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Tells the slide position of a press as Top, Down or Up from its cams.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &CB_CRANKSHAFT_POS_MONITOR,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::FEEDBACK;
 use super::codes::{self, feedback};
 use crate::code::diagnostic;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -35,6 +36,7 @@ pub static CROUT: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives two redundant outputs and watches one feedback of each.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &CONFIGURABLE_ROUT,
         mirrored: &[

@@ -2,6 +2,7 @@
 
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -33,6 +34,7 @@ pub static CSM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Watches the start, run and stop of a camshaft by two pulse trains.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &CAMSHAFT_MONITOR,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::{COLD_START, RESTART};
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -37,6 +38,7 @@ pub static DCAF: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 is on while two REAL channels agree and lie within limits.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCAF_INPUT,
         mirrored: &[

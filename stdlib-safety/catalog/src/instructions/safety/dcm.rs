@@ -2,6 +2,7 @@
 
 use super::choices::{MONITOR_FUNCTION, MONITOR_INPUT_TYPE};
 use super::codes;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -33,6 +34,7 @@ pub static DCM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 follows two channels that agree; no restart logic.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_MONITOR,
         mirrored: &["SafetyFunction", "InputType", "DiscrepancyTime", "ChannelA", "ChannelB", "InputStatus", "Reset"],

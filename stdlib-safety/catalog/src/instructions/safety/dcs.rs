@@ -2,6 +2,7 @@
 
 use super::choices::{COLD_START, INPUT_TYPE, RESTART, STOP_FUNCTION};
 use super::codes;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -35,6 +36,7 @@ pub static DCS: Instruction = Instruction {
         operand("Reset", TAG),
     ],
     summary: "O1 is on only while both channels of a stop device are active and the reset actions were done.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_STOP,
         mirrored: &[

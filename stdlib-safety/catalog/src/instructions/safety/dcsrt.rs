@@ -3,6 +3,7 @@
 use super::choices::{INPUT_TYPE, START_FUNCTION};
 use super::codes;
 use crate::code::diagnostic;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -35,6 +36,7 @@ pub static DCSRT: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 starts when both channels become active together while enabled.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_START,
         mirrored: &[

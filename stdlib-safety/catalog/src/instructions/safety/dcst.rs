@@ -2,6 +2,7 @@
 
 use super::choices::{COLD_START, INPUT_TYPE, RESTART, STOP_FUNCTION};
 use super::codes;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -36,6 +37,7 @@ pub static DCST: Instruction = Instruction {
         operand("Reset", TAG),
     ],
     summary: "DCS with a functional test of the device on request.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_STOP_TEST,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::{COLD_START, INPUT_TYPE, RESTART, STOP_FUNCTION};
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -40,6 +41,7 @@ pub static DCSTL: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "DCST with a guard lock: it unlocks only while the hazard is absent, and O1 needs the lock.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_STOP_TEST_LOCK,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::{COLD_START, INPUT_TYPE, RESTART, STOP_FUNCTION, TEST_TYPE};
 use super::codes;
 use crate::code::fault;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -41,6 +42,7 @@ pub static DCSTM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "DCST with muting: while muted, a broken field does not drop O1.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &DCI_STOP_TEST_MUTE,
         mirrored: &[

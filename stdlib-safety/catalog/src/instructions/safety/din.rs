@@ -2,6 +2,7 @@
 
 use super::choices::RESET_TYPE;
 use crate::code::flag_code;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -31,6 +32,7 @@ pub static DIN: Instruction = Instruction {
         operand("Fault Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 is on while a diverse pair of channels is active and reset.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &DIVERSE_INPUT,
         mirrored: &["ResetType", "ChannelA", "ChannelB", "CircuitReset", "FaultReset"],

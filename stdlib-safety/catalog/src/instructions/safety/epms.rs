@@ -2,6 +2,7 @@
 
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{Access, OperandKind::Structure, TAG_OR_IMMEDIATE, operand};
 use crate::types::safety::press::EIGHT_POS_MODE_SELECTOR;
@@ -33,6 +34,7 @@ pub static EPMS: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Turns on the one output whose position of a selector switch is active, unless locked.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &EIGHT_POS_MODE_SELECTOR,
         mirrored: &[

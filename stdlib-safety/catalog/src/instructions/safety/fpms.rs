@@ -1,6 +1,7 @@
 //! FPMS. v14-and-metal-form.md 3.2.
 
 use crate::code::flag_code;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{Access, OperandKind::Structure, TAG_OR_IMMEDIATE, operand};
 use crate::types::safety::version_14::FIVE_POS_MODE_SELECTOR;
@@ -27,6 +28,7 @@ pub static FPMS: Instruction = Instruction {
         operand("Fault Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Turns on the one output whose position of a selector switch is active.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &FIVE_POS_MODE_SELECTOR,
         mirrored: &["Input1", "Input2", "Input3", "Input4", "Input5", "FaultReset"],

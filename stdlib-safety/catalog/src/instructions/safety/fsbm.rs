@@ -3,6 +3,7 @@
 use super::choices::RESTART;
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -45,6 +46,7 @@ pub static FSBM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Mutes a light curtain for material that passes four sensors in a row, either way.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &MUTING_FOUR_SENSOR_BIDIR,
         mirrored: &[

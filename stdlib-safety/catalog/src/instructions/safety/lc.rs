@@ -2,6 +2,7 @@
 
 use super::choices::RESET_TYPE;
 use crate::code::flag_code;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -33,6 +34,7 @@ pub static LC: Instruction = Instruction {
         operand("Fault Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 is on while both outputs of a light curtain are on and reset; it filters test pulses and can be muted.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &LIGHT_CURTAIN,
         mirrored: &[

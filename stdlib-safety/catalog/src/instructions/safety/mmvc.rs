@@ -2,6 +2,7 @@
 
 use super::codes;
 use crate::code::diagnostic;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{Access, OperandKind::Structure, TAG_OR_IMMEDIATE, operand};
 use crate::types::safety::press::MANUAL_VALVE_CONTROL;
@@ -31,6 +32,7 @@ pub static MMVC: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives a valve by hand during maintenance, hold to run.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &MANUAL_VALVE_CONTROL,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::FEEDBACK;
 use super::codes::{self, feedback};
 use crate::code::diagnostic;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -35,6 +36,7 @@ pub static MVC: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives the two outputs of a main valve and watches a feedback of each.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &MAIN_VALVE_CONTROL,
         mirrored: &[

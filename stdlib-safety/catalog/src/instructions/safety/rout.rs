@@ -2,6 +2,7 @@
 
 use super::choices::FEEDBACK;
 use crate::code::flag_code;
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -31,6 +32,7 @@ pub static ROUT: Instruction = Instruction {
         operand("Fault Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Drives two redundant outputs and watches one feedback of each with a fixed time.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &REDUNDANT_OUTPUT,
         mirrored: &["FeedbackType", "Enable", "Feedback1", "Feedback2", "FaultReset"],

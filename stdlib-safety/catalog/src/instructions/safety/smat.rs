@@ -3,6 +3,7 @@
 use super::choices::RESTART;
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -33,6 +34,7 @@ pub static SMAT: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 is on while a mat is verified and nobody stands on it.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &SAFETY_MAT,
         mirrored: &["RestartType", "ShortCircuitDetectDelayTime", "ChannelA", "ChannelB", "InputStatus", "Reset"],

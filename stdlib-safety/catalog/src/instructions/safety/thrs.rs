@@ -2,6 +2,7 @@
 
 use super::choices::ENABLED;
 use crate::code::flag_code;
+use crate::execution::BEGINS_ANEW;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -33,6 +34,7 @@ pub static THRS: Instruction = Instruction {
         operand("Fault Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "BP is on while two buttons, pressed within 500 ms of each other, are held.",
+    execution: BEGINS_ANEW,
     safety: Some(&SafetyApplication {
         backing: &TWO_HAND_RUN_STATION,
         mirrored: &[

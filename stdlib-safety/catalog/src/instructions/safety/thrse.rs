@@ -2,6 +2,7 @@
 
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{Access, OperandKind::Structure, TAG_OR_IMMEDIATE, milliseconds, operand};
 use crate::types::safety::dual_channel::THRS_ENHANCED;
@@ -31,6 +32,7 @@ pub static THRSE: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "O1 is on while two buttons, pressed within 500 ms of each other, are held.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &THRS_ENHANCED,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::RESTART;
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -40,6 +41,7 @@ pub static TSAM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Mutes a light curtain for material that blocks two sensors in a fixed order.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &MUTING_TWO_SENSOR_ASYM,
         mirrored: &[

@@ -3,6 +3,7 @@
 use super::choices::RESTART;
 use super::codes;
 use crate::code::{diagnostic, fault};
+use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
 use crate::operand::{
     Access,
@@ -41,6 +42,7 @@ pub static TSSM: Instruction = Instruction {
         operand("Reset", TAG_OR_IMMEDIATE),
     ],
     summary: "Mutes a light curtain for material that blocks two crossed beams at nearly the same time.",
+    execution: KEEPS_FAULT,
     safety: Some(&SafetyApplication {
         backing: &MUTING_TWO_SENSOR_SYM,
         mirrored: &[

@@ -1,0 +1,40 @@
+//! The pages in `docs` are those that the catalog, the vectors and the table of codes give. `BLESS=1` writes them anew, for a
+//! person to read before they are committed.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use twinrung_workbench::pages::{findings, index};
+
+use crate::support::project_path;
+
+/// Compares a file, or writes it.
+fn differs(path: &Path, text: &str) -> bool {
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
+    fs::read_to_string(path).ok().as_deref() != Some(text)
+}
+
+#[test]
+fn instruction_pages_when_made_anew_then_they_are_those_in_the_folder_and_no_other_lies_there() {
+    let folder = project_path("docs/instructions");
+    let files = index::files();
+    let wrong: Vec<&str> = files
+        .iter()
+        .filter(|file| differs(&folder.join(&file.name), &file.text))
+        .map(|file| file.name.as_str())
+        .collect();
+    assert!(wrong.is_empty(), "these pages differ; BLESS=1 writes them anew: {wrong:?}");
+    let made: BTreeSet<String> = files.into_iter().map(|file| file.name).collect();
+    let found: BTreeSet<String> =
+        fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+    assert_eq!(made, found);
+}
+
+#[test]
+fn rules_page_when_made_anew_then_it_is_the_one_in_the_folder() {
+    let path = project_path("docs/rules.md");
+    assert!(!differs(&path, &findings::rules_table()), "docs/rules.md differs; BLESS=1 writes it anew");
+}
