@@ -46,7 +46,7 @@ pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Opt
         }
         let distance = distance(wanted.as_bytes(), candidate.to_ascii_lowercase().as_bytes());
         let better = best.is_none_or(|(least, known)| distance < least || (distance == least && candidate < known));
-        if distance > 0 && distance <= limit && better {
+        if distance > 0 && distance <= limit && distance < name.len() && better {
             best = Some((distance, candidate));
         }
     }
@@ -114,6 +114,11 @@ mod tests {
     #[test]
     fn closest_when_nothing_is_near_then_nothing() {
         assert_eq!(closest("Valve", ["Motor", "Belt"].into_iter()), None);
+    }
+
+    #[test]
+    fn closest_when_one_letter_is_all_there_is_then_nothing() {
+        assert_eq!(closest("C", ["A", "B"].into_iter()), None);
     }
 
     #[test]

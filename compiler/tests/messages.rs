@@ -176,3 +176,19 @@ fn master_control_when_in_an_add_on_instruction_then_each_is_refused() {
     let tags = format!("{TAGS}\n    Zone : Zoned (Class := Safety);");
     refused(&project(definition, &tags, "Zoned(Zone,X)", ""), &["S0607", "S0607"]);
 }
+
+#[test]
+fn output_tag_when_the_module_takes_no_data_then_its_output_data_is_the_way_out() {
+    let modules = "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Field (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE\n";
+    let text = project(modules, TAGS, "XIC(X)OTE(Field:O.Test01Data)", "");
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", &text);
+    let checked = check(&reading, &Completion::default());
+    let helps: Vec<&str> = checked
+        .findings
+        .iter()
+        .filter(|finding| finding.is_error())
+        .filter_map(|finding| finding.help.as_deref())
+        .collect();
+    assert_eq!(helps, ["`Field` takes no data as it is declared; its OutputData says what it takes"]);
+}

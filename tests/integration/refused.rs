@@ -12,6 +12,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("cop-with-a-tag-as-length", "S0105"),
     ("discrepancy-time-of-4-ms", "E0305"),
     ("mapped-tag-written", "S0304"),
+    ("own-member-as-operand", "S0608"),
     ("period-of-501-ms", "S0502"),
     ("real-on-an-l63s", "S0202"),
     ("recursion", "S0604"),

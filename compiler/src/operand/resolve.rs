@@ -118,6 +118,11 @@ fn begin_in_add_on(context: &Context<'_>, add_on: AddOnId, tag: &TagReference) -
 fn unknown_tag(context: &Context<'_>, scope: Scope, tag: &TagReference) -> Finding {
     let name = tag.base.as_str();
     let finding = Finding::new(&UNKNOWN_TAG, tag.base.span, format!("`{name}` is not declared"));
+    if let Some((module, "O" | "o")) = name.split_once(':')
+        && context.names.find(scope, &format!("{module}:I")).is_some()
+    {
+        return finding.help(format!("`{module}` takes no data as it is declared; its OutputData says what it takes"));
+    }
     match context.suggest(|| closest(name, context.names.names(scope, context.tags)).map(str::to_owned)) {
         Some(like) => finding.help(format!("did you mean `{like}`?")),
         None if name.contains(':') => finding.help(

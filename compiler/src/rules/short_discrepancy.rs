@@ -1,0 +1,36 @@
+//! Discrepancy times that the safety task cannot resolve. dual-channel-inputs.md C11.
+
+use crate::diagnostic::{Finding, Findings};
+use crate::operand::Operand;
+use crate::project::{Call, Project};
+use crate::rules::usage;
+
+rule! {
+    /// A Discrepancy Time below two periods.
+    "W0121", Warning, "a discrepancy time is below two periods of the safety task",
+    "Times are judged once in a scan: two channels of a healthy device, seen one scan apart, would be a fault. Make the Discrepancy Time two periods of the safety task at least, or the period shorter.",
+    "dual-channel-inputs.md 1.4 and C11",
+    good: sample!("    E : DCI_STOP (Class := Safety);\n    A, B, S, R : BOOL (Class := Safety);\n", "      N: DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,40,MANUAL,MANUAL,A,B,S,R);\n"),
+    bad: sample!("    E : DCI_STOP (Class := Safety);\n    A, B, S, R : BOOL (Class := Safety);\n", "      N: DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,<<39>>,MANUAL,MANUAL,A,B,S,R);\n")
+}
+
+/// Every call of a safety instruction.
+pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let period = project.safety_task.and_then(|at| project.tasks[at].period_us);
+    let Some((period_us, _)) = period.filter(|_| project.opcodes.any_safety()) else { return };
+    usage::instructions(project, &mut |_, instruction| {
+        let Call::Catalog(declaration) = instruction.call else { return };
+        for (declared, one) in declaration.operands.iter().zip(&instruction.operands) {
+            let Operand::Integer { value, .. } = *project.operand(one.id) else { continue };
+            let time_us = u64::from(value.unsigned_abs()) * 1000;
+            if declared.name == "Discrepancy Time" && time_us < 2 * period_us {
+                let message = format!(
+                    "Discrepancy Time of {} is {value} ms, and the safety task runs each {} ms",
+                    declaration.mnemonic,
+                    period_us as f64 / 1000.0
+                );
+                findings.push(Finding::new(&CODE, one.span, message).help("make it two periods at least"));
+            }
+        }
+    });
+}
