@@ -65,12 +65,6 @@ fn project(name: &str, bytes: &[u8]) {
         assert!(sources.get(finding.span.source).is_some(), "{} has no place: {}", finding.code.id, finding.message);
         assert_ne!(finding.code.id, "D0001", "{}", finding.message);
     }
-    // What can be printed can be read again.
-    if reading.errors.is_empty() {
-        let printed = twinrung_grammar::print_file(&reading.file);
-        let again = twinrung_grammar::read(&mut sources, "printed.rll", printed.into_bytes());
-        assert!(again.errors.is_empty(), "what was printed cannot be read: {:?}", again.errors);
-    }
     let Some(project) = checked.project else { return };
     let compiled = compile(&project).unwrap_or_else(|finding| panic!("{}", finding.message));
     run(&compiled.bytes, true);
