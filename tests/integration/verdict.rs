@@ -12,10 +12,12 @@ fn codes(json: &str) -> Vec<String> {
     findings.iter().map(|finding| finding["code"].as_str().unwrap().to_owned()).collect()
 }
 
+/// The refused samples whose explanation was reviewed.
 fn refused() -> Vec<String> {
-    let mut names: Vec<String> = fs::read_dir(project_path("samples/refused"))
+    let mut names: Vec<String> = fs::read_dir(project_path("tests/verdict/refused"))
         .unwrap()
-        .map(|entry| format!("samples/refused/{}", entry.unwrap().file_name().to_string_lossy()))
+        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
+        .map(|name| format!("samples/refused/{name}.rll"))
         .collect();
     names.sort();
     names
