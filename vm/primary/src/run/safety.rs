@@ -5,7 +5,7 @@ use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::{Element, Instruction as Declaration, Member, MemberRole};
 
 use super::{FaultCode, Run};
-use crate::number::Number;
+use crate::number::{Number, stored_real};
 use crate::program::{Instruction, SafetyCall};
 
 /// Members of the largest backing type, with room to spare; the loader refuses what has more.
@@ -25,7 +25,8 @@ impl<O: Observer> Run<'_, O> {
             let operand = self.program.operand(instruction.operands, index.saturating_add(1));
             *value = match self.number(operand)? {
                 Number::Integer(value) => value,
-                Number::Real(value) => value.to_bits() as i32,
+                // Mirroring stores the operand, so a NaN takes its one form (REQ-EXEC-003).
+                Number::Real(value) => stored_real(value) as i32,
             };
         }
         let mut members = [0i32; MEMBERS];

@@ -340,3 +340,24 @@ fn safety_instruction_when_executed_then_mirrors_and_switches() {
     rig.scan();
     assert_eq!(rig.all("stop.ChannelB stop.O1 o"), [0, 0, 0]);
 }
+
+/// REQ-EXEC-003, REQ-EXEC-060: the prescan keeps what the input members hold, a scan stores the operands.
+#[test]
+fn safety_instruction_when_an_operand_is_nan_then_its_member_is_canonical() {
+    let mut rig = Rig::new(
+        "level DCAF_INPUT; tolerance high low cha chb REAL; status reset BOOL",
+        &["DCAF(level,AUTOMATIC,AUTOMATIC,500,tolerance,high,low,cha,chb,status,reset)"],
+    );
+    for (name, bits) in
+        [("tolerance", 0x7F80_0001), ("high", 0x7FFF_FFFF), ("cha", 0xFFC0_0001_u32), ("chb", 0xFF80_0001)]
+    {
+        rig.set(name, bits as i32);
+    }
+    rig.set_real("low", -1.5);
+    rig.prescan();
+    assert_eq!(rig.all("level.Tolerance level.HighLimit level.LowLimit level.ChannelA level.ChannelB"), [0; 5]);
+    rig.scan();
+    assert_eq!(rig.all("level.Tolerance level.HighLimit level.ChannelA level.ChannelB"), [0x7FC0_0000; 4]);
+    assert_eq!(rig.get_real("level.LowLimit"), -1.5);
+    assert_eq!(rig.get("cha"), 0xFFC0_0001_u32 as i32);
+}
