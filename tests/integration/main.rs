@@ -16,7 +16,6 @@ mod mutations;
 mod options;
 mod pages;
 mod plant_program;
-mod random_instructions;
 mod refused;
 mod samples;
 mod support;
