@@ -79,6 +79,13 @@ fn names_when_not_admitted_then_reported() {
 }
 
 #[test]
+fn controllers_and_tasks_when_named_as_no_component_can_be_then_reported() {
+    let text = project("", TAGS, "XIC(X)OTE(Y)", "");
+    refused(&text.replace("CONTROLLER Sample", "<<CONTROLLER Sam__ple>>"), &["E0207"]);
+    refused(&text.replace("TASK Safety_Task", "TASK <<Safety_Task_>>"), &["E0207"]);
+}
+
+#[test]
 fn aliases_when_in_a_circle_then_reported_once_and_uses_are_not() {
     on_rungs("    L OF <<M>>;\n    M OF L;\n    X : BOOL (Class := Safety);", "XIC(L)OTE(X)", &["E0210"]);
 }

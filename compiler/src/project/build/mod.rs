@@ -2,6 +2,7 @@
 
 mod add_ons;
 mod aliases;
+mod component_names;
 mod controller;
 mod map;
 mod modules;
@@ -161,6 +162,7 @@ pub(crate) fn build(inputs: &Inputs<'_>, findings: &mut Findings) -> Project {
         span,
     };
     sizes::check(&project, findings);
+    component_names::check(&project, findings);
     project
 }
 
