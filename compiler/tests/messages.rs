@@ -81,7 +81,9 @@ fn names_when_not_admitted_then_reported() {
 #[test]
 fn controllers_and_tasks_when_named_as_no_component_can_be_then_reported() {
     let text = project("", TAGS, "XIC(X)OTE(Y)", "");
-    refused(&text.replace("CONTROLLER Sample", "<<CONTROLLER Sam__ple>>"), &["E0207"]);
+    let heading = "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)";
+    let misnamed = format!("<<{}>>", heading.replace("Sample", "Sam__ple"));
+    refused(&text.replace(heading, &misnamed), &["E0207"]);
     refused(&text.replace("TASK Safety_Task", "TASK <<Safety_Task_>>"), &["E0207"]);
 }
 

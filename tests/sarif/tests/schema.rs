@@ -13,7 +13,12 @@ fn json(path: &Path) -> Value {
 #[test]
 fn logs_when_held_to_the_schema_then_they_satisfy_it_and_a_broken_one_does_not() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let validator = jsonschema::validator_for(&json(&here.join("schema/sarif-2.1.0.json"))).unwrap();
+    let mut schema = json(&here.join("schema/sarif-2.1.0.json"));
+    // The published pattern of these members has a bracket too many, which is no regular expression to a strict reader.
+    for holder in ["run", "toolComponent"] {
+        schema["definitions"][holder]["properties"]["language"]["pattern"] = "^[a-zA-Z]{2}(-[a-zA-Z]{2})?$".into();
+    }
+    let validator = jsonschema::validator_for(&schema).unwrap();
     let logs: Vec<_> = fs::read_dir(here.join("../verdict"))
         .unwrap()
         .map(|entry| entry.unwrap().path())
