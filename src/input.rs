@@ -200,7 +200,7 @@ pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), Inp
 }
 
 /// Refuses an image whose bound in instructions is above the budget of its watchdog (REQ-BOUND-007).
-pub fn require_bound(loaded: &Loaded) -> Result<u64, InputError> {
+pub fn require_bound(loaded: &Loaded) -> Result<(), InputError> {
     bound::check(&loaded.image).map_err(InputError::Bound)
 }
 

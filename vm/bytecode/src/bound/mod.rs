@@ -6,6 +6,9 @@
 //! (REQ-EXEC-016): loops within one routine add up, and do not multiply each other. A routine runs as often as the JSRs
 //! that reach it are executed; an Add-On Instruction is a body at each of its calls; a fault routine runs once (REQ-EXEC-051).
 //!
+//! A prescan has a bound of its own: it visits each routine once and takes no jump, but for the Prescan routines of Add-On
+//! Instructions, which run (REQ-EXEC-024, REQ-EXEC-032).
+//!
 //! What an element costs is the caller's choice: 1 for each instruction gives what `executed` counts (REQ-EXEC-014), a
 //! time for each opcode gives a time.
 
@@ -21,28 +24,37 @@ use crate::admitted::AdmittedImage;
 use crate::image::Owner;
 
 /// Something that a scan does and that has a cost.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Work {
     /// A rung is entered.
     Rung,
-    /// An instruction is reached, true or false.
-    Instruction(Opcode),
     /// A call of an Add-On Instruction is reached; what its logic does is counted by itself.
     AddOnCall,
+    /// An instruction is reached, true or false.
+    Instruction(Opcode),
     /// FAL or FSC begins an element.
     FileElement(Opcode),
 }
 
-/// What one scan can cost at most, in the unit of the costs that it was computed with. Sums stop at `u64::MAX`.
+/// What one scan, and one prescan, can cost at most, in the unit of the costs that it was computed with. Sums stop at `u64::MAX`.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Bound {
     /// The whole scan.
     pub total: u64,
+    /// The whole prescan.
+    pub prescan: u64,
     /// Each program with its subroutines and its fault routine, in the order of the programs.
     pub programs: Vec<u64>,
     /// Each routine, in the order of the routines. What the routines of an Add-On Instruction do is part of the routines
     /// that call it.
     pub routines: Vec<RoutineBound>,
+}
+
+impl Bound {
+    /// The greater of scan and prescan: the budget is one for both.
+    pub fn greatest(&self) -> u64 {
+        self.total.max(self.prescan)
+    }
 }
 
 /// What one routine can cost in one scan at most.
@@ -69,7 +81,11 @@ pub fn bound(image: &AdmittedImage, cost: &dyn Fn(Work) -> u64) -> Bound {
         })
         .collect();
     let runs = calls::runs(image.image(), &walks);
-    let mut bound = Bound { programs: alloc::vec![0; image.image().programs.len()], ..Bound::default() };
+    let mut bound = Bound {
+        prescan: calls::prescan(image.image(), &walks),
+        programs: alloc::vec![0; image.image().programs.len()],
+        ..Bound::default()
+    };
     for ((record, walk), runs) in image.image().routines.iter().zip(&walks).zip(runs) {
         let routine = walk.with_runs(runs);
         if let Owner::Program(program) = record.owner
@@ -91,39 +107,45 @@ pub fn instructions(image: &AdmittedImage) -> Bound {
     })
 }
 
-/// Instructions that a scan may execute in simulated time: the watchdog at [`crate::limits::BUDGET_PER_MICROSECOND`].
+/// Instructions that a scan, or a prescan, may execute in simulated time: the watchdog at [`crate::limits::BUDGET_PER_MICROSECOND`].
 /// `None` for a library, which has no task.
 pub fn budget(image: &AdmittedImage) -> Option<u64> {
     let task = image.image().task.as_ref()?;
     Some(u64::from(task.watchdog_us).saturating_mul(crate::limits::BUDGET_PER_MICROSECOND))
 }
 
-/// An image that a scan's budget does not cover.
+/// An image that the budget of its watchdog does not cover.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BeyondBudget {
     /// What a scan can execute at most.
-    pub bound: u64,
-    /// What it may execute.
+    pub scan: u64,
+    /// What a prescan can execute at most.
+    pub prescan: u64,
+    /// What either may execute.
     pub budget: u64,
 }
 
 impl core::fmt::Display for BeyondBudget {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "a scan can execute {} instructions, and its watchdog allows {}", self.bound, self.budget)
+        let BeyondBudget { scan, prescan, budget } = self;
+        write!(f, "a scan can execute {scan} instructions, a prescan {prescan}, and the watchdog allows {budget}")
     }
 }
 
 impl core::error::Error for BeyondBudget {}
 
-/// Refuses an image whose bound exceeds the budget of its watchdog (REQ-BOUND-007). The budget then never ends a scan.
+/// Refuses an image whose bound exceeds the budget of its watchdog (REQ-BOUND-007). The budget then ends no scan and no
+/// prescan.
 ///
 /// # Errors
 ///
-/// The bound is greater than the budget.
-pub fn check(image: &AdmittedImage) -> Result<u64, BeyondBudget> {
-    let bound = instructions(image).total;
+/// The bound of the scan or that of the prescan is greater than the budget.
+pub fn check(image: &AdmittedImage) -> Result<(), BeyondBudget> {
+    let bound = instructions(image);
     match budget(image) {
-        Some(budget) if bound > budget => Err(BeyondBudget { bound, budget }),
-        _ => Ok(bound),
+        Some(budget) if bound.greatest() > budget => {
+            Err(BeyondBudget { scan: bound.total, prescan: bound.prescan, budget })
+        }
+        _ => Ok(()),
     }
 }

@@ -26,6 +26,26 @@ pub(super) struct Call {
 pub(super) struct Walk {
     rungs: Vec<u64>,
     pub(super) calls: Vec<Call>,
+    /// What a prescan of it costs, without its subroutines.
+    pub(super) prescan: u64,
+}
+
+/// What a call of each Add-On Instruction costs besides the call itself.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bodies {
+    /// In a scan: it runs Logic or EnableInFalse.
+    scan: Vec<u64>,
+    /// In a prescan: Logic is prescanned, then Prescan runs.
+    prescan: Vec<u64>,
+}
+
+impl Bodies {
+    /// Of one Add-On Instruction, in a scan and in a prescan. An admitted image calls none that it does not hold.
+    fn of(&self, add_on: Option<AddOnIndex>) -> (u64, u64) {
+        let body =
+            |bodies: &[u64]| add_on.and_then(|add_on| bodies.get(add_on.position()).copied()).unwrap_or(u64::MAX);
+        (body(&self.scan), body(&self.prescan))
+    }
 }
 
 impl Walk {
@@ -42,40 +62,48 @@ impl Walk {
     }
 }
 
-/// One element of a routine: its rung, its cost, the routine that it calls.
+/// The beginning of a rung, or one element on it: what it costs, the routine that it calls.
 struct Element {
     rung: usize,
     cost: u64,
     call: Option<RoutineIndex>,
 }
 
-/// What a call of each Add-On Instruction costs besides the call itself: it runs Logic or EnableInFalse. Callees stand before
-/// callers.
-pub(super) fn add_on_bodies(image: &AdmittedImage, cost: &dyn Fn(Work) -> u64) -> Vec<u64> {
-    let mut bodies = Vec::with_capacity(image.image().add_ons.len());
+/// What each Add-On Instruction does when it is called. Callees stand before callers.
+pub(super) fn add_on_bodies(image: &AdmittedImage, cost: &dyn Fn(Work) -> u64) -> Bodies {
+    let mut bodies = Bodies::default();
     for add_on in &image.image().add_ons {
         let body = |routine: Option<RoutineIndex>| {
             routine
                 .and_then(|routine| image.image().routines.get(routine.position()))
-                .map_or(0, |record| walk(image, record, &bodies, cost).total())
+                .map_or_else(Walk::default, |record| walk(image, record, &bodies, cost))
         };
-        bodies.push(body(Some(add_on.logic)).max(body(add_on.enable_in_false)));
+        let logic = body(Some(add_on.logic));
+        let (scan, prescan) = (
+            logic.total().max(body(add_on.enable_in_false).total()),
+            logic.prescan.saturating_add(body(add_on.prescan).total()),
+        );
+        bodies.scan.push(scan);
+        bodies.prescan.push(prescan);
     }
     bodies
 }
 
 /// Walks a routine.
-pub(super) fn walk(image: &AdmittedImage, record: &RoutineRecord, bodies: &[u64], cost: &dyn Fn(Work) -> u64) -> Walk {
+pub(super) fn walk(image: &AdmittedImage, record: &RoutineRecord, bodies: &Bodies, cost: &dyn Fn(Work) -> u64) -> Walk {
     let mut walk = Walk::default();
     let mut elements: Vec<Element> = Vec::new();
-    let mut labels: BTreeMap<String, (usize, usize)> = BTreeMap::new();
-    let mut jumps: Vec<(usize, usize, String)> = Vec::new();
-    let mut rung = 0_usize;
+    let mut labels: BTreeMap<String, Position> = BTreeMap::new();
+    let mut jumps: Vec<(Position, String)> = Vec::new();
+    let (mut rung, mut rung_begins) = (0_usize, 0_usize);
     for mark in Marks::new(&record.code) {
-        let (cost, call) = match mark {
+        // What it costs in a scan and in a prescan, and what it calls.
+        let (scan, prescan, call) = match mark {
             Ok(Mark::Rung) => {
-                walk.rungs.push(cost(Work::Rung));
-                continue;
+                walk.rungs.push(0);
+                rung_begins = elements.len();
+                let entered = cost(Work::Rung);
+                (entered, entered, None)
             }
             Ok(Mark::EndRung) => {
                 rung = rung.saturating_add(1);
@@ -83,30 +111,30 @@ pub(super) fn walk(image: &AdmittedImage, record: &RoutineRecord, bodies: &[u64]
             }
             Ok(Mark::Branch | Mark::NextLeg | Mark::EndBranch) => continue,
             Ok(Mark::AddOn(operands)) => {
-                let body = called(image, operands).and_then(|add_on| bodies.get(add_on.position()));
-                (cost(Work::AddOnCall).saturating_add(body.copied().unwrap_or(u64::MAX)), None)
+                let (call, (scan, prescan)) = (cost(Work::AddOnCall), bodies.of(called(image, operands)));
+                (call.saturating_add(scan), call.saturating_add(prescan), None)
             }
             Ok(Mark::Instruction(instruction, operands)) => {
                 let opcode = instruction.opcode;
-                let at = elements.len();
                 match (opcode, operands.get(0).and_then(|operand| label(image.image(), operand))) {
-                    (Opcode::Lbl, Some(label)) => drop(labels.insert(label, (at, rung))),
-                    (Opcode::Jmp, Some(label)) => jumps.push((at, rung, label)),
+                    // A label is the first element of its rung: who jumps to it enters the rung.
+                    (Opcode::Lbl, Some(label)) => drop(labels.insert(label, Position { rung, element: rung_begins })),
+                    (Opcode::Jmp, Some(label)) => jumps.push((Position { rung, element: elements.len() }, label)),
                     _ => {}
                 }
                 let file = match file_elements::most(image, opcode, operands) {
                     0 => 0,
                     most => most.saturating_mul(cost(Work::FileElement(opcode))),
                 };
-                (
-                    cost(Work::Instruction(opcode)).saturating_add(file),
-                    if opcode == Opcode::Jsr { subroutine(image.image(), record, operands) } else { None },
-                )
+                let own = cost(Work::Instruction(opcode));
+                let call = if opcode == Opcode::Jsr { subroutine(image.image(), record, operands) } else { None };
+                (own.saturating_add(file), own, call)
             }
             // An admitted image holds no such code.
-            Err(_) => (u64::MAX, None),
+            Err(_) => (u64::MAX, u64::MAX, None),
         };
-        elements.push(Element { rung, cost, call });
+        walk.prescan = walk.prescan.saturating_add(prescan);
+        elements.push(Element { rung, cost: scan, call });
     }
     for (element, repeats) in elements.iter().zip(repeats(elements.len(), &labels, &jumps)) {
         let times = repeats.saturating_add(1);
@@ -118,20 +146,27 @@ pub(super) fn walk(image: &AdmittedImage, record: &RoutineRecord, bodies: &[u64]
     walk
 }
 
-/// How often each element is repeated by backward jumps: each adds one pass from its label to itself.
+/// Where a label or a jump stands: its rung, and its place among all elements of the routine.
+#[derive(Debug, Clone, Copy)]
+struct Position {
+    rung: usize,
+    element: usize,
+}
+
+/// How often each element is repeated by backward jumps: each adds one pass from the rung of its label to itself.
 fn repeats(
     elements: usize,
-    labels: &BTreeMap<String, (usize, usize)>,
-    jumps: &[(usize, usize, String)],
+    labels: &BTreeMap<String, Position>,
+    jumps: &[(Position, String)],
 ) -> impl Iterator<Item = u64> {
     let mut begins = alloc::vec![0_u64; elements];
     let mut ends = alloc::vec![0_u64; elements];
-    for (at, rung, label) in jumps {
-        let Some((target, target_rung)) = labels.get(label) else { continue };
-        if target_rung > rung {
+    for (jump, label) in jumps {
+        let Some(target) = labels.get(label) else { continue };
+        if target.rung > jump.rung {
             continue;
         }
-        for (counts, at) in [(&mut begins, *target), (&mut ends, *at)] {
+        for (counts, at) in [(&mut begins, target.element), (&mut ends, jump.element)] {
             if let Some(count) = counts.get_mut(at) {
                 *count = count.saturating_add(u64::from(limits::BACKWARD_JUMPS));
             }
