@@ -3,13 +3,13 @@
 
 use std::fmt::Write as _;
 
-use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs};
+use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::{Instruction, Opcode};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_safety_vectors::{Coverage, Vector, coverage, normal_operation};
-use twinrung_trio::Subject;
+use twinrung_trio::{Subject, cells};
 use twinrung_workbench::{Signal, Value, names};
 
 use crate::vectors::{configuration, driven_operands, expected_members, program, same};
@@ -74,24 +74,12 @@ impl Row {
     }
 }
 
-/// A value of a channel's cells.
-fn value<C: Channel>(channel: &C, signal: Signal) -> Option<Value> {
-    let plain = C::REPRESENTATION == Representation::Plain;
+/// What a member holds, as its vector writes it.
+fn value<C: Channel>(channel: &C, signal: Signal) -> Value {
+    let held = cells::read(channel, signal);
     match signal {
-        Signal::Bit(cell) => channel.bits().get(cell.0 as usize).map(|byte| Value::Bool((byte & 1 == 1) == plain)),
-        Signal::Word(cell, element) => {
-            let word = channel.words().get(cell.0 as usize).map(|word| if plain { *word } else { !*word })?;
-            Some(crate::vectors::value(element, word as i32))
-        }
-        _ => None,
-    }
-}
-
-fn set<C: Channel>(channel: &mut C, signal: Signal, value: i32) {
-    match signal {
-        Signal::Bit(cell) => channel.set_bit(cell, value != 0),
-        Signal::Word(cell, _) => channel.set_word(cell, value),
-        _ => {}
+        Signal::Word(_, element) => crate::vectors::value(element, held),
+        _ => Value::Bool(held == 1),
     }
 }
 
@@ -106,9 +94,9 @@ fn scans_alone<C: Channel>(vector: &Vector) -> Result<u32, String> {
     let mut scans = 0;
     while let Some(scan) = replay.next_scan() {
         for (name, _, place) in driven_operands(instruction) {
-            set(&mut channel, signal(&name)?, replay.operands()[place]);
+            cells::write(&mut channel, signal(&name)?, replay.operands()[place]);
         }
-        set(&mut channel, signal("Rung")?, i32::from(scan.rung));
+        cells::write(&mut channel, signal("Rung")?, i32::from(scan.rung));
         let inputs = ScanInputs { now_ms: scan.now_ms, budget: u64::MAX, system_values: &[] };
         if scan.prescan && channel.prescan(inputs, &mut Silent) != ScanEnd::Completed {
             return Err("the prescan does not end".to_owned());
@@ -118,7 +106,7 @@ fn scans_alone<C: Channel>(vector: &Vector) -> Result<u32, String> {
         }
         for (name, expected) in expected_members(instruction, &replay) {
             let found = value(&channel, signal(&name)?);
-            if !found.is_some_and(|found| same(expected, found)) {
+            if !same(expected, found) {
                 return Err(format!("at {} ms {name} is {found:?}, expected {expected:?}", scan.now_ms));
             }
         }

@@ -1,9 +1,8 @@
 //! The command as its users run it, and its output against files that a person has reviewed.
 
-use std::fs;
 use std::process::Command;
 
-use crate::support::{project_path, text};
+use crate::support::{expect_reviewed, project_path};
 
 /// What a run of the command gave.
 pub struct Said {
@@ -26,11 +25,7 @@ pub fn twinrung(arguments: &[&str]) -> Said {
     Said { code: output.status.code(), out: text(output.stdout), err: text(output.stderr) }
 }
 
-/// Compares with a file under `tests/verdict`. `BLESS=1` writes what was said, for a person to read before it is committed.
+/// Compares with a file under `tests/verdict` that a person reviewed.
 pub fn expect(name: &str, found: &str) {
-    let path = project_path("tests/verdict").join(name);
-    if std::env::var_os("BLESS").is_some() {
-        fs::write(&path, found).unwrap();
-    }
-    assert_eq!(found, text(&path), "{name}: the command says something else");
+    expect_reviewed(&project_path("tests/verdict").join(name), found);
 }

@@ -1,21 +1,11 @@
-//! The pages in `docs` are those that the catalog, the vectors and the table of codes give. `BLESS=1` writes them anew, for a
-//! person to read before they are committed.
+//! The pages in `docs` are those that the catalog, the vectors and the table of codes give.
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
 use twinrung_workbench::pages::{findings, index};
 
-use crate::support::project_path;
-
-/// Compares a file, or writes it.
-fn differs(path: &Path, text: &str) -> bool {
-    if std::env::var_os("BLESS").is_some() {
-        fs::write(path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    }
-    fs::read_to_string(path).ok().as_deref() != Some(text)
-}
+use crate::support::{differs_from_reviewed, expect_reviewed, project_path};
 
 #[test]
 fn instruction_pages_when_made_anew_then_they_are_those_in_the_folder_and_no_other_lies_there() {
@@ -23,7 +13,7 @@ fn instruction_pages_when_made_anew_then_they_are_those_in_the_folder_and_no_oth
     let files = index::files();
     let wrong: Vec<&str> = files
         .iter()
-        .filter(|file| differs(&folder.join(&file.name), &file.text))
+        .filter(|file| differs_from_reviewed(&folder.join(&file.name), &file.text))
         .map(|file| file.name.as_str())
         .collect();
     assert!(wrong.is_empty(), "these pages differ; BLESS=1 writes them anew: {wrong:?}");
@@ -36,5 +26,5 @@ fn instruction_pages_when_made_anew_then_they_are_those_in_the_folder_and_no_oth
 #[test]
 fn rules_page_when_made_anew_then_it_is_the_one_in_the_folder() {
     let path = project_path("docs/rules.md");
-    assert!(!differs(&path, &findings::rules_table()), "docs/rules.md differs; BLESS=1 writes it anew");
+    expect_reviewed(&path, &findings::rules_table());
 }

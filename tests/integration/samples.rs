@@ -1,10 +1,9 @@
 //! Every sample gives the recording that lies beside it, to the byte, and its README explains every change of it.
-//! `BLESS=1` writes what a run gave, for a person to read before it is committed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-use crate::support::{Read, image_of, lines, project_path, read_whole, session, stimulus, text};
+use crate::support::{Read, expect_reviewed, image_of, lines, project_path, read_whole, session, stimulus, text};
 
 /// Periods that a sample goes on after its stimulus.
 const PERIODS_AFTER: u64 = 10;
@@ -22,88 +21,11 @@ fn recorded(sample: &str) -> String {
 }
 
 /// REQ-SAMPLE-001
-fn expect_recording(sample: &str) {
-    let path = project_path("samples").join(sample).join("recording.csv");
-    let found = recorded(sample);
-    if std::env::var_os("BLESS").is_some() {
-        fs::write(&path, &found).unwrap();
+#[test]
+fn samples_when_run_then_each_gives_the_recording_beside_it() {
+    for sample in samples() {
+        expect_reviewed(&project_path("samples").join(&sample).join("recording.csv"), &recorded(&sample));
     }
-    assert_eq!(found, text(&path), "{sample}: the run gives another recording");
-}
-
-#[test]
-fn estop_with_contactors_when_run_then_it_gives_its_recording() {
-    expect_recording("estop-with-contactors");
-}
-
-#[test]
-fn io_fault_latch_inputs_when_run_then_it_gives_its_recording() {
-    expect_recording("io-fault-latch-inputs");
-}
-
-#[test]
-fn io_fault_latch_internal_when_run_then_it_gives_its_recording() {
-    expect_recording("io-fault-latch-internal");
-}
-
-#[test]
-fn io_fault_latch_outputs_when_run_then_it_gives_its_recording() {
-    expect_recording("io-fault-latch-outputs");
-}
-
-#[test]
-fn qualified_standard_data_when_run_then_it_gives_its_recording() {
-    expect_recording("qualified-standard-data");
-}
-
-#[test]
-fn add_on_instruction_when_run_then_it_gives_its_recording() {
-    expect_recording("add-on-instruction");
-}
-
-#[test]
-fn conveyor_muting_two_sensor_when_run_then_it_gives_its_recording() {
-    expect_recording("conveyor-muting-two-sensor");
-}
-
-#[test]
-fn conveyor_muting_two_sensor_asymmetrical_when_run_then_it_gives_its_recording() {
-    expect_recording("conveyor-muting-two-sensor-asymmetrical");
-}
-
-#[test]
-fn conveyor_muting_four_sensor_when_run_then_it_gives_its_recording() {
-    expect_recording("conveyor-muting-four-sensor");
-}
-
-#[test]
-fn two_hand_press_when_run_then_it_gives_its_recording() {
-    expect_recording("two-hand-press");
-}
-
-#[test]
-fn enabling_pendant_when_run_then_it_gives_its_recording() {
-    expect_recording("enabling-pendant");
-}
-
-#[test]
-fn dual_analog_trip_integer_when_run_then_it_gives_its_recording() {
-    expect_recording("dual-analog-trip-integer");
-}
-
-#[test]
-fn dual_analog_trip_real_when_run_then_it_gives_its_recording() {
-    expect_recording("dual-analog-trip-real");
-}
-
-#[test]
-fn locked_gate_when_run_then_it_gives_its_recording() {
-    expect_recording("locked-gate");
-}
-
-#[test]
-fn parameter_from_terminal_when_run_then_it_gives_its_recording() {
-    expect_recording("parameter-from-terminal");
 }
 
 fn samples() -> Vec<String> {

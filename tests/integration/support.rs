@@ -80,6 +80,22 @@ pub fn text(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// Whether a file that a person reviewed says something else than what was found now. `BLESS=1` writes what was found, for a
+/// person to read before it is committed.
+pub fn differs_from_reviewed(path: &Path, found: &str) -> bool {
+    if std::env::var_os("BLESS").is_some() {
+        fs::write(path, found).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
+    fs::read_to_string(path).ok().as_deref() != Some(found)
+}
+
+/// Fails with both texts where a reviewed file says something else.
+pub fn expect_reviewed(path: &Path, found: &str) {
+    if differs_from_reviewed(path, found) {
+        assert_eq!(found, text(path), "{}: not what was reviewed; BLESS=1 writes it anew", path.display());
+    }
+}
+
 /// Both channels with a stimulus, ready to run.
 pub fn session(read: &Read, stimulus: &Stimulus, record: &[String]) -> Session {
     let (image, bytes) = image_of(read);

@@ -12,12 +12,12 @@ fn codes(json: &str) -> Vec<String> {
     findings.iter().map(|finding| finding["code"].as_str().unwrap().to_owned()).collect()
 }
 
-/// The refused samples whose explanation was reviewed.
+/// The refused samples.
 fn refused() -> Vec<String> {
-    let mut names: Vec<String> = fs::read_dir(project_path("tests/verdict/refused"))
-        .unwrap()
-        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
-        .map(|name| format!("samples/refused/{name}.rll"))
+    let entries = fs::read_dir(project_path("samples/refused")).unwrap().map(|entry| entry.unwrap().path());
+    let mut names: Vec<String> = entries
+        .filter(|path| path.extension().is_some_and(|ending| ending == "rll"))
+        .map(|path| format!("samples/refused/{}", path.file_name().unwrap().to_string_lossy()))
         .collect();
     names.sort();
     names

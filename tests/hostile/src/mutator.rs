@@ -50,39 +50,31 @@ const PIECES: &[&str] = &[
 /// How often a piece is repeated when it is.
 const REPEATS: [usize; 4] = [2, 64, 65, 300];
 /// Changes of one mutant at most.
-const CHANGES_MAX: u64 = 6;
+const CHANGES_MAX: usize = 6;
 /// Bytes of a mutant at most.
 const LENGTH_MAX: usize = 1 << 20;
 
-/// Makes mutants. SplitMix64: small, and the same everywhere.
+/// Makes mutants: the same ones from the same seed.
 #[derive(Debug, Clone)]
 pub struct Mutator {
-    state: u64,
+    random: fastrand::Rng,
 }
 
 impl Mutator {
     /// A mutator with a seed.
     pub fn new(seed: u64) -> Mutator {
-        Mutator { state: seed }
-    }
-
-    fn next(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.state;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        Mutator { random: fastrand::Rng::with_seed(seed) }
     }
 
     /// A number below `bound`; 0 for 0.
     fn below(&mut self, bound: usize) -> usize {
-        if bound == 0 { 0 } else { (self.next() % bound as u64) as usize }
+        if bound == 0 { 0 } else { self.random.usize(..bound) }
     }
 
     /// A mutant of `seed`, into which pieces of `other` may come.
     pub fn mutant(&mut self, seed: &[u8], other: &[u8]) -> Vec<u8> {
         let mut bytes = seed.to_vec();
-        for _ in 0..=self.next() % CHANGES_MAX {
+        for _ in 0..self.random.usize(1..=CHANGES_MAX) {
             self.change(&mut bytes, other);
         }
         bytes.truncate(LENGTH_MAX);
@@ -93,7 +85,7 @@ impl Mutator {
         let at = self.below(bytes.len());
         match self.below(8) {
             0 if !bytes.is_empty() => bytes[at] ^= 1 << self.below(8),
-            1 if !bytes.is_empty() => bytes[at] = self.next() as u8,
+            1 if !bytes.is_empty() => bytes[at] = self.random.u8(..),
             2 => {
                 let end = (at + 1 + self.below(40)).min(bytes.len());
                 bytes.drain(at.min(end)..end);

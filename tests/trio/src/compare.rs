@@ -5,8 +5,9 @@ use twinrung_bytecode::index::{EventTaskIndex, ProgramIndex};
 use twinrung_judge::End;
 use twinrung_workbench::{Signal, names};
 
+use crate::cells::{plain_bits, plain_words};
 use crate::disagreement::{Disagreement, LISTED};
-use crate::trio::{Ended, Trio, plain_bits, plain_words};
+use crate::trio::{Ended, Trio};
 
 impl Trio<'_> {
     pub(crate) fn compare(

@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod campaign;
+pub mod cells;
 mod compare;
 mod disagreement;
 mod executions;

@@ -1,7 +1,7 @@
 //! The three evaluators side by side.
 
 use twinrung_bytecode::CellRange;
-use twinrung_bytecode::channel::{Channel, Representation, ScanInputs, Status};
+use twinrung_bytecode::channel::{Channel, ScanInputs, Status};
 use twinrung_bytecode::image::TagKind;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, TagIndex, WordCell};
 use twinrung_bytecode::layout;
@@ -15,6 +15,7 @@ use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::{Signal, Value, names};
 
+use crate::cells::{self, plain_bits, plain_words};
 use crate::disagreement::Disagreement;
 use crate::executions::Executions;
 use crate::generate::{Random, any_value};
@@ -197,13 +198,11 @@ impl<'s> Trio<'s> {
     /// A value, by its full name.
     pub fn value(&self, name: &str) -> Value {
         let signal = self.signal(name);
-        let word = |cell: WordCell| plain_word::<Primary>(self.primary.words()[cell.position()]);
+        let held = cells::read(&self.primary, signal);
         match signal {
-            Signal::Bit(cell) => Value::Bool(plain_bit::<Primary>(self.primary.bits()[cell.position()]) == 1),
-            Signal::Word(cell, Element::Real) => Value::Real(f32::from_bits(word(cell) as u32)),
-            Signal::Word(cell, _) => Value::Integer(word(cell)),
-            Signal::WordBit(cell, bit) => Value::Bool((word(cell) >> bit) & 1 == 1),
-            other => panic!("{other:?} is a value of the controller"),
+            Signal::Word(_, Element::Real) => Value::Real(f32::from_bits(held as u32)),
+            Signal::Word(..) => Value::Integer(held),
+            _ => Value::Bool(held == 1),
         }
     }
 
@@ -260,26 +259,6 @@ impl<'s> Trio<'s> {
         self.scans += 1;
         self.compare(Some(self.scans - 1), ends, judged)
     }
-}
-
-pub(crate) fn plain_bit<C: Channel>(byte: u8) -> u8 {
-    if C::REPRESENTATION == Representation::Plain { byte } else { !byte }
-}
-
-pub(crate) fn plain_word<C: Channel>(word: u32) -> i32 {
-    (if C::REPRESENTATION == Representation::Plain { word } else { !word }) as i32
-}
-
-/// The bits of a tag.
-pub(crate) fn plain_bits<C: Channel>(channel: &C, range: &CellRange) -> Vec<u8> {
-    let bits = &channel.bits()[range.bit_cell as usize..][..range.bit_cells as usize];
-    bits.iter().copied().map(plain_bit::<C>).collect()
-}
-
-/// The words of a tag.
-pub(crate) fn plain_words<C: Channel>(channel: &C, range: &CellRange) -> Vec<i32> {
-    let words = &channel.words()[range.word_cell as usize..][..range.word_cells as usize];
-    words.iter().copied().map(plain_word::<C>).collect()
 }
 
 /// Which tag of the checked project holds which cells.

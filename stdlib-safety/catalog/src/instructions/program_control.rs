@@ -27,7 +27,7 @@ pub static JMP: Instruction = Instruction {
          timers get no update.",
         "Nothing.",
         "Does not jump: every rung is visited.",
-        "Major fault 4/94 when it would jump backward more than 1,000 times in a scan.",
+        "Major fault 4/94 when one execution of its routine would jump backward more than 1,000 times.",
     ),
     safety: None,
 };

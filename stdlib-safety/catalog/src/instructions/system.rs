@@ -28,11 +28,12 @@ pub static GSV: Instruction = Instruction {
     ],
     summary: "Reads an attribute of a safety object.",
     execution: execution(
-        "Copies the attribute to Dest. Both channels get one sample.",
+        "Writes the bytes of the attribute over those of Dest, low byte first, as COP does; what Dest has beyond them stays. \
+         Both channels get one sample.",
         LEFT,
         NOTHING,
-        "Minor fault 4/5 when the object is not there, 4/6 when the attribute is not, 4/7 when Dest is too small; \
-         Dest then stays.",
+        "An object or an attribute that is not there and a Dest that is too small are refused when the program is compiled. \
+         Major fault 4/20 when a tag subscript in Dest leaves too few bytes; nothing is then written.",
     ),
     safety: None,
 };
@@ -57,10 +58,11 @@ pub static SSV: Instruction = Instruction {
     ],
     summary: "Writes an attribute of a safety object.",
     execution: execution(
-        "Copies Source to the attribute.",
+        "Writes the bytes of Source to the attribute, low byte first, as COP does.",
         "Nothing.",
         NOTHING,
-        "Minor fault 4/5 when the object is not there, 4/6 when the attribute cannot be set so.",
+        "An object or an attribute that is not there or cannot be set so and a Source that is too small are refused when the \
+         program is compiled. Major fault 4/20 when a tag subscript in Source leaves too few bytes.",
     ),
     safety: None,
 };

@@ -1,6 +1,6 @@
 //! The two channels, one with each half of the library, and the cells of the calls.
 
-use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs};
+use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
 use twinrung_bytecode::observer::Silent;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
@@ -8,6 +8,7 @@ use twinrung_workbench::{Signal, names};
 
 use super::call::{Call, Given, operand_tag};
 use crate::Subject;
+use crate::cells::{self, plain_bit, plain_word};
 
 /// More than any program of calls executes in a scan.
 const BUDGET: u64 = 1_000_000;
@@ -70,17 +71,8 @@ impl Halves {
     }
 
     fn set(&mut self, signal: Signal, value: i32) {
-        match signal {
-            Signal::Bit(cell) => {
-                self.primary.set_bit(cell, value != 0);
-                self.partner.set_bit(cell, value != 0);
-            }
-            Signal::Word(cell, _) => {
-                self.primary.set_word(cell, value);
-                self.partner.set_word(cell, value);
-            }
-            _ => {}
-        }
+        cells::write(&mut self.primary, signal, value);
+        cells::write(&mut self.partner, signal, value);
     }
 
     /// Where a member of a call's backing tag lies.
@@ -90,7 +82,7 @@ impl Halves {
 
     /// A value in the primary.
     pub fn read(&self, signal: Signal) -> i32 {
-        value(&self.primary, signal)
+        cells::read(&self.primary, signal)
     }
 
     /// Prescans both.
@@ -111,7 +103,7 @@ impl Halves {
     pub fn differing(&self) -> Option<usize> {
         let bits = self.primary.bits().iter().zip(self.partner.bits());
         let words = self.primary.words().iter().zip(self.partner.words());
-        let same_bits = bits.fold(0, |sum, (a, b)| sum | (plain_byte::<Primary>(*a) ^ plain_byte::<Partner>(*b)));
+        let same_bits = bits.fold(0, |sum, (a, b)| sum | (plain_bit::<Primary>(*a) ^ plain_bit::<Partner>(*b)));
         let same_words = words.fold(0, |sum, (a, b)| sum | (plain_word::<Primary>(*a) ^ plain_word::<Partner>(*b)));
         if same_bits == 0 && same_words == 0 {
             return None;
@@ -122,24 +114,8 @@ impl Halves {
     /// Members of a call's backing tag that differ, with the values of primary and partner.
     pub fn differences(&self, call: usize) -> Vec<(&'static str, i32, i32)> {
         let members = self.cells[call].members.iter();
-        let values =
-            members.map(|(name, signal)| (*name, value(&self.primary, *signal), value(&self.partner, *signal)));
+        let values = members
+            .map(|(name, signal)| (*name, cells::read(&self.primary, *signal), cells::read(&self.partner, *signal)));
         values.filter(|(_, primary, partner)| primary != partner).collect()
     }
-}
-
-fn value<C: Channel>(channel: &C, signal: Signal) -> i32 {
-    match signal {
-        Signal::Bit(cell) => i32::from(plain_byte::<C>(channel.bits()[cell.position()])),
-        Signal::Word(cell, _) => plain_word::<C>(channel.words()[cell.position()]) as i32,
-        _ => 0,
-    }
-}
-
-fn plain_byte<C: Channel>(byte: u8) -> u8 {
-    if C::REPRESENTATION == Representation::Plain { byte } else { !byte }
-}
-
-fn plain_word<C: Channel>(word: u32) -> u32 {
-    if C::REPRESENTATION == Representation::Plain { word } else { !word }
 }

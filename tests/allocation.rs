@@ -1,0 +1,98 @@
+//! A scan of both channels allocates nothing: freezing, both interpreters, comparison, publishing and the image check, over
+//! every sample with its stimulus and over random programs with everything that the base set has.
+
+use std::fs;
+use std::path::Path;
+
+use peak_alloc::PeakAlloc;
+use twinrung_compiler::{Completion, check};
+use twinrung_controller::Controller;
+use twinrung_grammar::read_path;
+use twinrung_grammar::tree::Sources;
+use twinrung_partner::Partner;
+use twinrung_primary::Primary;
+use twinrung_trio::generate::{self, Size};
+use twinrung_trio::{Subject, cells};
+use twinrung_workbench::drive::Drive;
+use twinrung_workbench::{Stimulus, Value, names};
+
+#[global_allocator]
+static ALLOCATED: PeakAlloc = PeakAlloc;
+
+/// Random programs, and scans of each.
+const PROGRAMS: u64 = 40;
+const SCANS: usize = 60;
+
+fn loaded(subject: &Subject) -> Controller<Primary, Partner> {
+    let mut controller =
+        Controller::load(subject.image.clone(), &subject.bytes).unwrap_or_else(|error| panic!("{error}"));
+    controller.power_up_in_run();
+    controller
+}
+
+/// One scan, and how many bytes were held at some moment of it beyond those held before.
+fn taken_by_scan(controller: &mut Controller<Primary, Partner>, now_ms: u64) -> usize {
+    let before = ALLOCATED.current_usage();
+    ALLOCATED.reset_peak_usage();
+    controller.scan(now_ms as i64);
+    ALLOCATED.peak_usage().saturating_sub(before)
+}
+
+fn sample(folder: &Path) -> (Subject, Stimulus) {
+    let mut sources = Sources::new();
+    let reading = read_path(&mut sources, &folder.join("project.rll"));
+    let project = check(&reading, &Completion::default()).project.unwrap();
+    let stimulus = Stimulus::read(&fs::read_to_string(folder.join("stimulus.csv")).unwrap()).unwrap();
+    (Subject::from_project(project), stimulus)
+}
+
+fn samples_take() -> usize {
+    let folders = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("samples")).unwrap();
+    let folders = folders.map(|entry| entry.unwrap().path()).filter(|path| path.join("project.rll").is_file());
+    let mut taken = 0;
+    for (subject, stimulus) in folders.map(|folder| sample(&folder)) {
+        let mut controller = loaded(&subject);
+        let mut drive = Drive::new(&mut controller, &stimulus).unwrap();
+        for now_ms in (0..=stimulus.last_ms()).step_by(10) {
+            drive.until(&mut controller, now_ms);
+            taken += taken_by_scan(&mut controller, now_ms);
+        }
+    }
+    taken
+}
+
+fn random_programs_take() -> usize {
+    let mut taken = 0;
+    for seed in 0..PROGRAMS {
+        let generated = generate::program(seed, Size::SMALL);
+        let stimulus = generate::stimulus(seed, &generated, SCANS);
+        // Some few programs are refused; another test counts them.
+        let Ok(subject) = Subject::from_text(&generated.text) else { continue };
+        let mut controller = loaded(&subject);
+        for step in &stimulus.steps {
+            let (primary, partner) = controller.channels_mut();
+            for (name, value) in &step.values {
+                let signal = names::signal(&subject.image, name).unwrap();
+                let held = match *value {
+                    Value::Real(value) => value.to_bits() as i32,
+                    Value::Integer(value) => value,
+                    Value::Bool(value) => i32::from(value),
+                };
+                cells::write(primary, signal, held);
+                cells::write(partner, signal, held);
+            }
+            taken += taken_by_scan(&mut controller, step.now_ms as u64);
+        }
+    }
+    taken
+}
+
+/// REQ-SCAN-009. One test, so that nothing else allocates meanwhile.
+#[test]
+fn scans_when_run_over_samples_and_random_programs_then_nothing_is_allocated() {
+    let probe = ALLOCATED.current_usage();
+    ALLOCATED.reset_peak_usage();
+    drop(std::hint::black_box(vec![0_u8; 4096]));
+    assert!(ALLOCATED.peak_usage() >= probe + 4096, "the allocator does not count");
+    assert_eq!((samples_take(), random_programs_take()), (0, 0));
+}
