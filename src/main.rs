@@ -42,6 +42,8 @@ enum Verb {
     Run(verb::run::Run),
     /// Measure the scan time against period and watchdog
     Bench(verb::bench::Bench),
+    /// Run random programs on both interpreters until they differ
+    Fuzz(verb::fuzz::Fuzz),
     /// Show an image: signatures, sections, layout, neutral text
     Show(verb::show::Show),
     /// Say what differs between two projects or images
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
         Verb::Build(arguments) => verb::build::run(&arguments),
         Verb::Run(arguments) => verb::run::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),
+        Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
         Verb::Show(arguments) => verb::show::run(&arguments),
         Verb::Diff(arguments) => verb::diff::run(&arguments),
         Verb::Fmt(arguments) => verb::fmt::run(&arguments),

@@ -11,10 +11,10 @@ use twinrung_grammar::read_path;
 use twinrung_grammar::tree::Sources;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
-use twinrung_trio::generate::{self, Size};
-use twinrung_trio::{Subject, cells};
+use twinrung_trio::Subject;
 use twinrung_workbench::drive::Drive;
-use twinrung_workbench::{Stimulus, Value, names};
+use twinrung_workbench::generate::{self, Size};
+use twinrung_workbench::{Stimulus, Value, cells, names};
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;

@@ -3,15 +3,16 @@
 //! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --executions 100000000`.
 
 use twinrung_catalog::Opcode;
-use twinrung_trio::Campaign;
-use twinrung_trio::generate::{self, Size};
+use twinrung_trio::Trios;
+use twinrung_workbench::fuzz::Campaign;
+use twinrung_workbench::generate::{self, Size};
 
 #[test]
 fn evaluators_when_300_random_programs_run_60_scans_then_they_agree_in_every_value() {
     let mut campaign = Campaign::default();
-    (0..300).for_each(|seed| campaign.run(seed, Size::SMALL, 60));
+    (0..300).for_each(|seed| campaign.run::<Trios>(seed, Size::SMALL, 60));
     println!("{campaign}");
-    assert!(campaign.failures.is_empty(), "{campaign}\n{}", campaign.failures.join("\n\n"));
+    assert!(campaign.failures.is_empty(), "{campaign}\n{}", campaign.failures_shown());
     assert!(campaign.refused * 20 < campaign.programs, "more than 5 % are refused: {:?}", campaign.reasons);
     assert!(campaign.total.faulted * 2 < campaign.total.scans, "faults end most scans: {campaign}");
 }

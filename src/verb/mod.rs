@@ -7,5 +7,6 @@ pub mod checklist;
 pub mod diff;
 pub mod explain;
 pub mod fmt;
+pub mod fuzz;
 pub mod run;
 pub mod show;

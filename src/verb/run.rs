@@ -8,13 +8,15 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{MajorFault, Place};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::signature::short_form;
-use twinrung_controller::{Difference, SafetyFault, StopReason};
+use twinrung_controller::{SafetyFault, StopReason};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::diagram::{self, Style};
+use twinrung_workbench::difference;
 use twinrung_workbench::run::default_names;
 use twinrung_workbench::{Outcome, Recording, Run as Session, Stimulus};
 
@@ -112,7 +114,7 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
         write_recording(path, session.recording())?;
         writeln!(out, "wrote {} ({} rows)", path.display(), session.recording().rows.len())?;
     }
-    report(&mut out, session.controller().image().image(), &outcome, begun.elapsed())
+    report(&mut out, session.controller().image(), &outcome, begun.elapsed())
 }
 
 fn loaded(arguments: &Run, terminal: Terminal) -> io::Result<Option<Loaded>> {
@@ -206,7 +208,7 @@ fn write_recording(path: &Path, recording: &Recording) -> io::Result<()> {
     files::write_whole(path, recording.to_csv().as_bytes())
 }
 
-fn report(out: &mut dyn Write, image: &Image, outcome: &Outcome, took: Duration) -> io::Result<ExitCode> {
+fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: Duration) -> io::Result<ExitCode> {
     let Some((scan, time_ms, reason)) = outcome.stopped else {
         writeln!(
             out,
@@ -229,17 +231,9 @@ fn report(out: &mut dyn Write, image: &Image, outcome: &Outcome, took: Duration)
     }))
 }
 
-fn explained(image: &Image, reason: StopReason) -> String {
+fn explained(image: &AdmittedImage, reason: StopReason) -> String {
     match reason {
-        StopReason::Safety(SafetyFault::Difference(difference)) => match difference {
-            Difference::Bit(cell, primary, partner) => {
-                format!("the channels differ in bit cell {}: primary {primary}, partner {partner}", cell.0)
-            }
-            Difference::Word(cell, primary, partner) => {
-                format!("the channels differ in word cell {}: primary {primary}, partner {partner}", cell.0)
-            }
-            other => format!("the channels differ: {other:?}"),
-        },
+        StopReason::Safety(SafetyFault::Difference(found)) => difference::words(image, found),
         StopReason::Safety(SafetyFault::WatchdogExpired) => "the watchdog expired".to_owned(),
         StopReason::Safety(SafetyFault::BudgetExceeded) => {
             "the scan executed more instructions than its watchdog allows".to_owned()
@@ -248,7 +242,7 @@ fn explained(image: &Image, reason: StopReason) -> String {
             "the image in memory is not the one that was admitted".to_owned()
         }
         StopReason::Recoverable(MajorFault { code, place }) => {
-            format!("major fault 4/{code} at {}", place_words(image, place))
+            format!("major fault 4/{code} at {}", place_words(image.image(), place))
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The static bound: what it counts, and that no scan and no prescan of any random program executes more.
 
 use twinrung_bytecode::bound::{self, Work};
-use twinrung_trio::generate::{self, Size};
 use twinrung_trio::{Subject, Trio};
+use twinrung_workbench::generate::{self, Size};
 
 /// A program with the given tags, routines (the first is the main routine) and, before it, other declarations.
 fn subject_of(declarations: &str, tags: &str, routines: &str, fault: &str) -> Subject {
@@ -34,7 +34,7 @@ fn prescanned(subject: &Subject) -> (u64, u64) {
     let mut trio = Trio::new(subject);
     trio.count_executions();
     trio.prescan(0).unwrap();
-    (trio.executed(), trio.executions().unwrap().rungs)
+    (trio.executed(), trio.executions().rungs)
 }
 
 /// Most instructions in one of `scans` scans.
@@ -265,9 +265,9 @@ fn greatest_share(seed: u64) -> Option<f64> {
     let mut most = 0;
     for step in &stimulus.steps {
         step.values.iter().for_each(|(name, value)| trio.set(name, *value));
-        let before = (trio.executed(), trio.executions()?.rungs);
+        let before = (trio.executed(), trio.executions().rungs);
         let ended = if step.prescan { trio.prescan(step.now_ms) } else { trio.scan(step.now_ms) };
-        let done = (trio.executed() - before.0, trio.executions()?.rungs - before.1);
+        let done = (trio.executed() - before.0, trio.executions().rungs - before.1);
         let at_most = if step.prescan { (bound.prescan, rungs.1) } else { (bound.total, rungs.0) };
         assert!(
             done.0 <= at_most.0 && done.1 <= at_most.1,

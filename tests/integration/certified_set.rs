@@ -9,8 +9,8 @@ use twinrung_catalog::{Instruction, Opcode};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_safety_vectors::{Coverage, Vector, coverage, normal_operation};
-use twinrung_trio::{Subject, cells};
-use twinrung_workbench::{Signal, Value, names};
+use twinrung_trio::Subject;
+use twinrung_workbench::{Signal, Value, cells, names};
 
 use crate::vectors::{configuration, driven_operands, expected_members, program, same};
 

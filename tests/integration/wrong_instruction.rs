@@ -1,75 +1,26 @@
 //! A deliberately wrong instruction in one channel is caught by the comparison in the scan in which it shows, and outputs
 //! are off in that scan.
 
-use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};
-use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, WordCell};
-use twinrung_bytecode::observer::Observer;
-use twinrung_bytecode::signature::seal;
-use twinrung_bytecode::{AdmittedImage, admit};
+use twinrung_bytecode::image::Image;
+use twinrung_bytecode::index::BitCell;
 use twinrung_catalog::Opcode;
 use twinrung_controller::{Controller, Difference, SafetyFault, StopReason};
-use twinrung_partner::Partner;
 use twinrung_primary::Primary;
+use twinrung_trio::Subject;
 use twinrung_workbench::{Signal, names};
 
-use twinrung_trio::Subject;
+use crate::wrong_partner::{Defect, WrongPartner};
 
-/// The partner with one wrong instruction: it executes SUB wherever the image says ADD.
-struct WrongPartner(Partner);
+/// SUB is executed wherever the image says ADD.
+struct SubForAdd;
 
-impl Channel for WrongPartner {
-    type LoadError = <Partner as Channel>::LoadError;
-    const REPRESENTATION: Representation = Partner::REPRESENTATION;
-
-    fn load(image: &AdmittedImage) -> Result<Self, Self::LoadError> {
-        let mut records = image.image().clone();
+impl Defect for SubForAdd {
+    fn change(records: &mut Image) {
         for routine in &mut records.routines {
             let add = routine.code.windows(2).position(|pair| pair == [Opcode::Add as u8, 3]);
             routine.code[add.expect("the program adds")] = Opcode::Sub as u8;
             routine.text = routine.text.replace("ADD(", "SUB(");
         }
-        let wrong = seal(&records).expect("the wrong program has a text");
-        Partner::load(&admit(&wrong).expect("it is a valid program")).map(WrongPartner)
-    }
-
-    fn reset(&mut self) {
-        self.0.reset();
-    }
-
-    fn prescan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        self.0.prescan(inputs, observer)
-    }
-
-    fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        self.0.scan(inputs, observer)
-    }
-
-    fn set_bit(&mut self, cell: BitCell, value: bool) {
-        self.0.set_bit(cell, value);
-    }
-
-    fn set_word(&mut self, cell: WordCell, value: i32) {
-        self.0.set_word(cell, value);
-    }
-
-    fn bits(&self) -> &[u8] {
-        self.0.bits()
-    }
-
-    fn words(&self) -> &[u32] {
-        self.0.words()
-    }
-
-    fn status(&self) -> Status {
-        self.0.status()
-    }
-
-    fn events(&self, task: EventTaskIndex) -> u32 {
-        self.0.events(task)
-    }
-
-    fn fault_record(&self, program: ProgramIndex) -> Option<[i32; 11]> {
-        self.0.fault_record(program)
     }
 }
 
@@ -99,7 +50,7 @@ fn comparison_when_one_channel_has_a_wrong_instruction_then_outputs_are_off_in_t
     else {
         panic!("two BOOLs and a number")
     };
-    let mut controller: Controller<Primary, WrongPartner> =
+    let mut controller: Controller<Primary, WrongPartner<SubForAdd>> =
         Controller::load(subject.image.clone(), &subject.bytes).unwrap();
     for cell in [go, out] {
         controller.publish_also(range_of_bit(cell));

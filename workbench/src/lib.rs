@@ -7,9 +7,13 @@
 #![forbid(unsafe_code)]
 
 pub mod bench;
+pub mod cells;
 pub mod checklist;
 pub mod diagram;
+pub mod difference;
 pub mod drive;
+pub mod fuzz;
+pub mod generate;
 pub mod instruction_rungs;
 pub mod mix;
 pub mod names;

@@ -1,8 +1,8 @@
 //! A compiled routine on primary, partner and judge, its data moved at random.
 
 use twinrung_catalog::Element;
-use twinrung_trio::generate::{Random, any_value};
 use twinrung_trio::{Ended, Subject, Trio};
+use twinrung_workbench::generate::{Random, any_value};
 use twinrung_workbench::{Signal, Value};
 
 /// Scans of each routine.

@@ -8,8 +8,9 @@
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use twinrung_trio::Campaign;
-use twinrung_trio::generate::{self, Size};
+use twinrung_trio::Trios;
+use twinrung_workbench::fuzz::{Campaign, size_of};
+use twinrung_workbench::generate::{self, Size};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().collect();
@@ -26,8 +27,7 @@ fn main() -> ExitCode {
     let rungs = number("--rungs", 0.0) as usize;
     let most_failures = number("--failures", 5.0) as usize;
     let size = |seed: u64| match rungs {
-        0 if seed.is_multiple_of(4) => Size::LARGE,
-        0 => Size::SMALL,
+        0 => size_of(seed),
         rungs => Size::of_rungs(rungs),
     };
     if arguments.iter().any(|one| one == "--print") {
@@ -42,7 +42,7 @@ fn main() -> ExitCode {
         && (campaign.total.executions.rungs as f64) < executions
         && campaign.failures.len() < most_failures
     {
-        campaign.run(seed, size(seed), scans);
+        campaign.run::<Trios>(seed, size(seed), scans);
         for failure in &campaign.failures[shown..] {
             println!("{failure}");
         }
@@ -52,7 +52,7 @@ fn main() -> ExitCode {
     for (reason, (count, seed)) in &campaign.reasons {
         println!("refused {count} (seed {seed}): {reason}");
     }
-    print!("{}", campaign.total.executions);
+    print!("{}", campaign.total.executions.coverage);
     println!("seeds {first} to {}: {campaign}", seed.saturating_sub(1));
     let seconds = begun.elapsed().as_secs_f64();
     println!("{:.0} rung executions in a second, {seconds:.0} s", campaign.total.executions.rungs as f64 / seconds);

@@ -3,11 +3,12 @@
 use twinrung_bytecode::channel::{Channel, Place, ScanEnd, Status};
 use twinrung_bytecode::index::{EventTaskIndex, ProgramIndex};
 use twinrung_judge::End;
+use twinrung_workbench::cells::{plain_bits, plain_words};
+use twinrung_workbench::fuzz::Ended;
 use twinrung_workbench::{Signal, names};
 
-use crate::cells::{plain_bits, plain_words};
 use crate::disagreement::{Disagreement, LISTED};
-use crate::trio::{Ended, Trio};
+use crate::trio::Trio;
 
 impl Trio<'_> {
     pub(crate) fn compare(
@@ -136,7 +137,7 @@ impl Trio<'_> {
 
     /// Whether the primary that reports holds what the other one holds.
     fn is_observed_alike(&self) -> bool {
-        self.observed.as_ref().is_none_or(|(observed, _)| {
+        self.observed.as_ref().is_none_or(|observed| {
             observed.bits() == self.primary.bits()
                 && observed.words() == self.primary.words()
                 && observed.status() == self.primary.status()

@@ -5,20 +5,13 @@
 
 #![forbid(unsafe_code)]
 
-mod campaign;
-pub mod cells;
 mod compare;
 mod disagreement;
-mod executions;
-pub mod generate;
 pub mod instructions;
-mod replay;
-mod subject;
+mod library;
 mod trio;
 
-pub use campaign::Campaign;
 pub use disagreement::Disagreement;
-pub use executions::Executions;
-pub use replay::{Counts, Outcome, replay, shrink};
-pub use subject::{Subject, library};
-pub use trio::{Ended, Trio};
+pub use library::library;
+pub use trio::{Trio, Trios};
+pub use twinrung_workbench::fuzz::{Ended, Subject};

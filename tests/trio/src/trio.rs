@@ -7,30 +7,18 @@ use twinrung_bytecode::index::{BitCell, EventTaskIndex, TagIndex, WordCell};
 use twinrung_bytecode::layout;
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Element;
-use twinrung_catalog::instructions::system::ATTRIBUTES;
 use twinrung_compiler::operand::SystemInstance;
 use twinrung_compiler::project::{ProgramId, TagId};
 use twinrung_judge::Judge;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
+use twinrung_workbench::cells::{self, plain_bits, plain_words};
+use twinrung_workbench::fuzz::{Contest, Ended, Evaluators, Executions, Subject, SystemSample, system_samples};
+use twinrung_workbench::generate::Random;
 use twinrung_workbench::{Signal, Value, names};
 
-use crate::cells::{self, plain_bits, plain_words};
 use crate::disagreement::Disagreement;
-use crate::executions::Executions;
-use crate::generate::{Random, any_value};
-use crate::subject::{Subject, library};
-
-/// How a scan ended, all three agreeing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ended {
-    /// All programs ran.
-    Completed,
-    /// A major fault 4/code that nothing cleared.
-    Fault(u16),
-    /// The budget ran out.
-    BudgetExceeded,
-}
+use crate::library::library;
 
 /// Three evaluators of one subject.
 pub struct Trio<'s> {
@@ -40,7 +28,9 @@ pub struct Trio<'s> {
     pub(crate) judge: Judge<'s>,
     pub(crate) tags: Vec<(TagId, CellRange)>,
     /// A second primary that reports what it does, where somebody counts.
-    pub(crate) observed: Option<(Primary, Executions)>,
+    pub(crate) observed: Option<Primary>,
+    /// What it reported.
+    executions: Executions,
     system_values: Vec<i32>,
     scans: u64,
     /// Instructions that a scan may execute.
@@ -59,7 +49,6 @@ impl<'s> Trio<'s> {
             judge.set_tag(*tag, bits, words);
         }
         judge.number_as(numbers_of_programs(subject), numbers_of_routines(subject));
-        let values = records.system_values.iter().map(|value| value.first as usize + 11).max().unwrap_or(0);
         Trio {
             primary: Primary::load(&subject.image).unwrap_or_else(|error| panic!("primary: {error}")),
             partner: Partner::load(&subject.image).unwrap_or_else(|error| panic!("partner: {error}")),
@@ -67,7 +56,8 @@ impl<'s> Trio<'s> {
             judge,
             tags,
             observed: None,
-            system_values: vec![0; values],
+            executions: Executions::default(),
+            system_values: vec![0; records.system_values_length()],
             scans: 0,
             budget: 10_000_000,
         }
@@ -77,12 +67,13 @@ impl<'s> Trio<'s> {
     /// runs without.
     pub fn count_executions(&mut self) {
         let primary = Primary::load(&self.subject.image).unwrap_or_else(|error| panic!("primary: {error}"));
-        self.observed = Some((primary, Executions::new(self.subject)));
+        self.observed = Some(primary);
+        self.executions = Executions::new(self.subject);
     }
 
     /// What was executed since the counting began.
-    pub fn executions(&self) -> Option<&Executions> {
-        self.observed.as_ref().map(|(_, executions)| executions)
+    pub fn executions(&self) -> &Executions {
+        &self.executions
     }
 
     /// Sets one value in all three, by its full name.
@@ -114,7 +105,7 @@ impl<'s> Trio<'s> {
     fn write(&mut self, cell: WordCell, value: i32) {
         self.primary.set_word(cell, value);
         self.partner.set_word(cell, value);
-        if let Some((observed, _)) = &mut self.observed {
+        if let Some(observed) = &mut self.observed {
             observed.set_word(cell, value);
         }
     }
@@ -122,7 +113,7 @@ impl<'s> Trio<'s> {
     fn write_bit(&mut self, cell: BitCell, value: bool) {
         self.primary.set_bit(cell, value);
         self.partner.set_bit(cell, value);
-        if let Some((observed, _)) = &mut self.observed {
+        if let Some(observed) = &mut self.observed {
             observed.set_bit(cell, value);
         }
     }
@@ -169,14 +160,7 @@ impl<'s> Trio<'s> {
 
     /// Sets what GSV reads in all three, to any values that the attributes' types hold.
     pub fn set_system_values(&mut self, random: &mut Random) {
-        for record in &self.subject.image.image().system_values {
-            let known = ATTRIBUTES.iter().find(|attribute| attribute.number == record.attribute);
-            let Some(attribute) = known.filter(|attribute| !attribute.writable) else { continue };
-            let value = |random: &mut Random| match any_value(random, attribute.element) {
-                Value::Integer(value) => value,
-                _ => 0,
-            };
-            let values: Vec<i32> = (0..attribute.length).map(|_| value(random)).collect();
+        for SystemSample { attribute, record, values } in system_samples(&self.subject.image, random) {
             let first = record.first as usize;
             self.system_values[first..first + values.len()].copy_from_slice(&values);
             let instance = match attribute.class {
@@ -237,8 +221,8 @@ impl<'s> Trio<'s> {
     pub fn prescan(&mut self, now_ms: i64) -> Result<Ended, Disagreement> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
         let ends = (self.primary.prescan(inputs, &mut Silent), self.partner.prescan(inputs, &mut Silent));
-        if let Some((observed, executions)) = &mut self.observed {
-            observed.prescan(inputs, executions);
+        if let Some(observed) = &mut self.observed {
+            observed.prescan(inputs, &mut self.executions);
         }
         let judged = self.judge.prescan(now_ms, self.budget);
         self.compare(None, ends, judged)
@@ -252,12 +236,57 @@ impl<'s> Trio<'s> {
     pub fn scan(&mut self, now_ms: i64) -> Result<Ended, Disagreement> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
         let ends = (self.primary.scan(inputs, &mut Silent), self.partner.scan(inputs, &mut Silent));
-        if let Some((observed, executions)) = &mut self.observed {
-            observed.scan(inputs, executions);
+        if let Some(observed) = &mut self.observed {
+            observed.scan(inputs, &mut self.executions);
         }
         let judged = self.judge.scan(now_ms, self.budget);
         self.scans += 1;
         self.compare(Some(self.scans - 1), ends, judged)
+    }
+}
+
+/// The contest of primary, partner and judge.
+#[derive(Debug, Clone, Copy)]
+pub struct Trios;
+
+impl Contest for Trios {
+    type Evaluators<'s> = Trio<'s>;
+
+    fn load(subject: &Subject, budget: u64) -> Trio<'_> {
+        let mut trio = Trio::new(subject);
+        trio.budget = budget;
+        trio.count_executions();
+        trio
+    }
+}
+
+impl Evaluators for Trio<'_> {
+    fn set(&mut self, values: &[(Signal, Value)]) {
+        self.set_signals(values);
+    }
+
+    fn set_system_values(&mut self, random: &mut Random) {
+        Trio::set_system_values(self, random);
+    }
+
+    fn prescan(&mut self, now_ms: i64) -> Result<Ended, String> {
+        Trio::prescan(self, now_ms).map_err(|disagreement| disagreement.to_string())
+    }
+
+    fn scan(&mut self, now_ms: i64) -> Result<Ended, String> {
+        Trio::scan(self, now_ms).map_err(|disagreement| disagreement.to_string())
+    }
+
+    fn executed(&self) -> u64 {
+        Trio::executed(self)
+    }
+
+    fn cleared_faults(&self) -> u64 {
+        u64::from(self.status().cleared_faults)
+    }
+
+    fn executions(&self) -> &Executions {
+        Trio::executions(self)
     }
 }
 

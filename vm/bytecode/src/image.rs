@@ -7,6 +7,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use twinrung_catalog::Element;
+use twinrung_catalog::instructions::system::ATTRIBUTES;
 
 use crate::index::{AddOnIndex, OperandIndex, ProgramIndex, RoutineIndex, TypeIndex};
 
@@ -42,6 +43,17 @@ pub struct Image {
     pub initial_bits: Vec<u8>,
     /// Initial value of every word cell.
     pub initial_words: Vec<i32>,
+}
+
+impl Image {
+    /// How many values of system attributes a scan receives.
+    pub fn system_values_length(&self) -> usize {
+        let end = |record: &SystemValueRecord| {
+            let attribute = ATTRIBUTES.iter().find(|attribute| attribute.number == record.attribute);
+            record.first.saturating_add(attribute.map_or(0, |attribute| attribute.length)) as usize
+        };
+        self.system_values.iter().map(end).max().unwrap_or(0)
+    }
 }
 
 /// Settings that belong to the signed declaration but not to execution: key and canonical text, sorted by key byte by

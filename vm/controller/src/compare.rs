@@ -31,8 +31,8 @@ pub(crate) const fn mask(representation: Representation) -> u32 {
     }
 }
 
-/// Compares two channels after an execution that ended as `ends` say.
-pub(crate) fn compare<A: Channel, B: Channel>(
+/// Compares two channels after an execution that ended as `ends` say; nothing where they hold and say the same.
+pub fn compare<A: Channel, B: Channel>(
     image: &Image,
     primary: &A,
     partner: &B,

@@ -74,7 +74,6 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         let primary = A::load(&image).map_err(LoadError::Primary)?;
         let partner = B::load(&image).map_err(LoadError::Partner)?;
         let records = image.image();
-        let values = records.system_values.iter().map(|value| value.first as usize).max().unwrap_or(0);
         Ok(Controller {
             check: ImageCheck::new(bytes),
             primary,
@@ -85,8 +84,7 @@ impl<A: Channel, B: Channel> Controller<A, B> {
             input_words: records.initial_words.clone(),
             output_bits: alloc::vec![0; records.initial_bits.len()],
             output_words: alloc::vec![0; records.initial_words.len()],
-            // Room for the longest attribute (a fault record of 11 words) at the last position.
-            system_values: alloc::vec![0; values.saturating_add(11)],
+            system_values: alloc::vec![0; records.system_values_length()],
             budget,
             mode: Mode::Program,
             request: None,

@@ -30,7 +30,7 @@ mod mode;
 pub use twinrung_bytecode::CellRange;
 
 pub use clock::{NoClock, Part, ScanClock};
-pub use compare::Difference;
+pub use compare::{Difference, compare};
 pub use controller::{Controller, LoadError, ScanReport};
 pub use fault::{SafetyFault, StopReason};
 pub use image_check::IMAGE_CHECK_BYTES_PER_SCAN;

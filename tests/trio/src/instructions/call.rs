@@ -5,7 +5,7 @@ use std::fmt::Write;
 use twinrung_catalog::{Element, Instruction, OperandKind, Relation};
 use twinrung_safety_vectors::Vector;
 
-use crate::generate::Random;
+use twinrung_workbench::generate::Random;
 
 /// What stands in an operand's place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

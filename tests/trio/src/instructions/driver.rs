@@ -6,7 +6,7 @@ use twinrung_safety_vectors::Vector;
 use super::call::{Call, Given, element, values_of};
 use super::episode::{Episode, Event, jittered, number, rhythm};
 use super::times::Times;
-use crate::generate::Random;
+use twinrung_workbench::generate::Random;
 
 /// The inputs of a call in one scan.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use twinrung_safety_vectors::Vector;
 
 use super::call::{Call, Given, element, values_of};
 use super::times::Times;
-use crate::generate::Random;
+use twinrung_workbench::generate::Random;
 
 /// Something that happens to the inputs of a call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,11 +4,11 @@ use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
 use twinrung_bytecode::observer::Silent;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
+use twinrung_workbench::cells::{self, plain_bit, plain_word};
 use twinrung_workbench::{Signal, names};
 
 use super::call::{Call, Given, operand_tag};
 use crate::Subject;
-use crate::cells::{self, plain_bit, plain_word};
 
 /// More than any program of calls executes in a scan.
 const BUDGET: u64 = 1_000_000;

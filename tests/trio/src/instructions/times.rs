@@ -3,7 +3,7 @@
 use twinrung_catalog::OperandKind;
 
 use super::call::{Call, Given};
-use crate::generate::Random;
+use twinrung_workbench::generate::Random;
 
 /// Times in ms that the references name and no operand shows: reset pulses, restart delays, the discrepancies of the
 /// version-14 set, lamp tests, two-hand buttons.

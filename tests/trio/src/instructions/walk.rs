@@ -12,7 +12,7 @@ use super::driver::{Driver, Inputs};
 use super::halves::Halves;
 use super::shrink::{Log, shrink};
 use crate::Subject;
-use crate::generate::Random;
+use twinrung_workbench::generate::Random;
 
 /// Calls of one program: a load costs as much as thousands of scans.
 const CALLS: usize = 12;

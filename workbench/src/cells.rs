@@ -1,8 +1,8 @@
 //! Values in a channel's cells, however the channel represents them.
 
+use crate::signal::Signal;
 use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::{Channel, Representation};
-use twinrung_workbench::Signal;
 
 /// The value of a bit cell that holds this byte: 0 or 1.
 pub fn plain_bit<C: Channel>(byte: u8) -> u8 {

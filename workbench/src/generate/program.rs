@@ -15,7 +15,11 @@ const REAL: Kind = Kind::Element(Element::Real);
 
 /// The program of a seed.
 pub fn program(seed: u64, size: Size) -> Generated {
-    let random = &mut Random::new(seed);
+    program_of(&mut Random::new(seed), size)
+}
+
+/// The program that these choices make.
+pub fn program_of(random: &mut Random, size: Size) -> Generated {
     let mut shared = Shared { records: records(random), ..Shared::default() };
     let mut body = String::new();
     let listed = shared.records.clone();

@@ -1,19 +1,17 @@
-//! A program that is compiled, admitted and checked: what the three evaluators run.
-
-use std::sync::OnceLock;
+//! A program that is checked, compiled and admitted: what evaluators run.
 
 use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_compiler::diagnostic::Finding;
 use twinrung_compiler::project::{RoutineId, TagId};
-use twinrung_compiler::{CheckedProject, Completion, check, check_library, compile};
+use twinrung_compiler::{CheckedProject, Completion, check, compile};
 use twinrung_grammar::read;
 use twinrung_grammar::tree::Sources;
 
-/// A program in the two forms that the evaluators need.
+/// A program in the forms that evaluators need.
 pub struct Subject {
-    /// The checked tree, for the judge.
+    /// The checked tree.
     pub project: CheckedProject,
-    /// The admitted image, for the channels.
+    /// The admitted image.
     pub image: AdmittedImage,
     /// Its sealed bytes.
     pub bytes: Vec<u8>,
@@ -57,13 +55,4 @@ impl Subject {
 fn line(sources: &Sources, finding: &Finding) -> String {
     let place = sources.line_column(finding.span);
     format!("{} {}:{} {}", finding.code.id, place.line, place.column, finding.message)
-}
-
-/// The ladder half of the safety library as a checked tree, made once.
-pub fn library() -> &'static CheckedProject {
-    static LIBRARY: OnceLock<CheckedProject> = OnceLock::new();
-    LIBRARY.get_or_init(|| {
-        check_library(twinrung_safety_partner::SOURCES)
-            .unwrap_or_else(|error| panic!("the ladder library is refused: {error}"))
-    })
 }

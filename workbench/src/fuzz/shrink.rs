@@ -1,121 +1,20 @@
-//! Runs a generated program against its stimulus on all three evaluators, and shrinks what they disagree in.
+//! Makes a case on which evaluators differ as small as it gets: a person has to read it.
 
-use std::collections::HashMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use crate::generate::Stimulus;
 
-use twinrung_workbench::Signal;
+use super::{Case, Contest, Outcome, replay};
 
-use crate::generate::{Generated, Random, Stimulus};
-use crate::{Ended, Executions, Subject, Trio};
-
-/// What came of a run.
-#[derive(Debug, Clone)]
-pub enum Outcome {
-    /// All three agreed after every scan.
-    Agreed(Box<Counts>),
-    /// The compiler refuses the program: its findings.
-    Refused(Vec<String>),
-    /// They disagree, or one of them panicked: what is to be said about it, and after how many steps.
-    Failed {
-        /// The disagreement or the panic, as text.
-        report: String,
-        /// Steps until it showed.
-        steps: usize,
-    },
-}
-
-/// How much was executed.
-#[derive(Debug, Clone, Default)]
-pub struct Counts {
-    /// Scans and prescans.
-    pub scans: u64,
-    /// Those that a major fault ended.
-    pub faulted: u64,
-    /// Those that ended because the budget ran out.
-    pub over_budget: u64,
-    /// Faults that a fault routine cleared.
-    pub cleared: u64,
-    /// Instructions that each evaluator executed.
-    pub instructions: u64,
-    /// Rungs and instructions that the primary executed.
-    pub executions: Executions,
-}
-
-impl Counts {
-    /// Adds those of another run.
-    pub fn add(&mut self, other: &Counts) {
-        self.scans += other.scans;
-        self.faulted += other.faulted;
-        self.over_budget += other.over_budget;
-        self.cleared += other.cleared;
-        self.instructions += other.instructions;
-        self.executions.add(&other.executions);
-    }
-}
-
-/// Runs all steps, or until the evaluators disagree.
-pub fn replay(text: &str, stimulus: &Stimulus) -> Outcome {
-    let mut steps = 0;
-    let run = catch_unwind(AssertUnwindSafe(|| run(text, stimulus, &mut steps)));
-    match run {
-        Ok(outcome) => outcome,
-        Err(panic) => {
-            let words = panic.downcast_ref::<String>().cloned();
-            let words = words.or_else(|| panic.downcast_ref::<&str>().map(|words| (*words).to_owned()));
-            Outcome::Failed { report: format!("panic: {}", words.unwrap_or_default()), steps }
-        }
-    }
-}
-
-fn run(text: &str, stimulus: &Stimulus, steps: &mut usize) -> Outcome {
-    let subject = match Subject::from_text(text) {
-        Ok(subject) => subject,
-        Err(findings) => return Outcome::Refused(findings),
-    };
-    let mut trio = Trio::new(&subject);
-    trio.budget = stimulus.budget;
-    trio.count_executions();
-    let mut counts = Counts::default();
-    let mut signals: HashMap<&str, Signal> = HashMap::new();
-    let mut values = Vec::new();
-    for step in &stimulus.steps {
-        *steps += 1;
-        values.clear();
-        for (name, value) in &step.values {
-            let signal = *signals.entry(name).or_insert_with(|| trio.signal(name));
-            values.push((signal, *value));
-        }
-        trio.set_signals(&values);
-        if let Some(seed) = step.system_values {
-            trio.set_system_values(&mut Random::new(seed));
-        }
-        let ended = if step.prescan { trio.prescan(step.now_ms) } else { trio.scan(step.now_ms) };
-        match ended {
-            Ok(Ended::Completed) => {}
-            Ok(Ended::Fault(_)) => counts.faulted += 1,
-            Ok(Ended::BudgetExceeded) => counts.over_budget += 1,
-            Err(disagreement) => return Outcome::Failed { report: disagreement.to_string(), steps: *steps },
-        }
-        counts.scans += 1;
-    }
-    counts.instructions = trio.executed();
-    counts.cleared = u64::from(trio.status().cleared_faults);
-    counts.executions = trio.executions().cloned().unwrap_or_default();
-    Outcome::Agreed(Box::new(counts))
-}
-
-/// The smallest program and stimulus found on which the evaluators still fail, and their report.
-pub fn shrink(generated: &Generated, stimulus: &Stimulus) -> (String, Stimulus, String) {
-    let mut text = generated.text.clone();
-    let mut stimulus = stimulus.clone();
+/// The smallest case found on which the evaluators still fail, and what is then to be said about it.
+pub fn shrink<C: Contest>(case: Case) -> (Case, String) {
+    let Case { mut text, mut stimulus } = case;
     let mut report = String::new();
-    if let Outcome::Failed { report: first, steps } = replay(&text, &stimulus) {
+    if let Outcome::Failed { report: first, steps } = replay::<C>(&text, &stimulus) {
         report = first;
         stimulus.steps.truncate(steps);
     }
     let mut attempt = |text: &mut String, stimulus: &mut Stimulus, smaller: String| {
         let declared = only_declared(stimulus, &smaller);
-        if let Outcome::Failed { report: found, steps } = replay(&smaller, &declared)
+        if let Outcome::Failed { report: found, steps } = replay::<C>(&smaller, &declared)
             && same_kind(&report, &found)
         {
             report = found;
@@ -166,7 +65,7 @@ pub fn shrink(generated: &Generated, stimulus: &Stimulus) -> (String, Stimulus, 
             at += 1;
         }
     }
-    (text, stimulus, report)
+    (Case { text, stimulus }, report)
 }
 
 /// Whether two reports tell of the same kind of failure; a panic that shrinking caused is none.

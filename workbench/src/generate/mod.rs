@@ -13,9 +13,9 @@ mod writer;
 
 use twinrung_catalog::Element;
 
-pub use program::program;
+pub use program::{program, program_of};
 pub use random::Random;
-pub use stimulus::{Step, Stimulus, any_value, stimulus};
+pub use stimulus::{Step, Stimulus, any_value, stimulus, stimulus_of};
 
 /// The position of the data type that has the 12 bytes of a TIMER.
 pub(crate) const TWELVE: usize = 0;

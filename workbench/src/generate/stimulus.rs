@@ -1,7 +1,8 @@
 //! How the inputs of a program move: mostly a few at a time, with the values at which arithmetic goes wrong.
 
 use twinrung_catalog::Element;
-use twinrung_workbench::Value;
+
+use crate::signal::Value;
 
 use super::random::Random;
 use super::{Generated, Input, literals};
@@ -30,14 +31,17 @@ pub struct Stimulus {
 
 /// A stimulus for `scans` scans.
 pub fn stimulus(seed: u64, generated: &Generated, scans: usize) -> Stimulus {
-    let mut random = Random::new(seed ^ 0x0005_7112_A1D5);
+    stimulus_of(&mut Random::new(seed ^ 0x0005_7112_A1D5), generated, scans)
+}
+
+/// The stimulus that these choices make.
+pub fn stimulus_of(random: &mut Random, generated: &Generated, scans: usize) -> Stimulus {
     let period_ms = *random.of(&[10, 10, 10, 20, 5]);
     let mut now_ms = random.below(100_000) as i64;
     let mut beyond = vec![false; generated.inputs.len()];
     let mut steps = Vec::with_capacity(scans + 1);
     for scan in 0..=scans {
-        let values =
-            if scan == 0 { first_values(&mut random, generated) } else { moved(&mut random, generated, &mut beyond) };
+        let values = if scan == 0 { first_values(random, generated) } else { moved(random, generated, &mut beyond) };
         let prescan = scan == 0 || random.one_in(200);
         let system_values = random.one_in(10).then(|| random.bits());
         steps.push(Step { now_ms, prescan, values, system_values });

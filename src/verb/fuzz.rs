@@ -1,0 +1,221 @@
+//! `twinrung fuzz`: random valid programs on both interpreters, every value compared after every scan.
+
+use std::fs;
+use std::io::{self, IsTerminal, Write};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Subject, ran, replay, size_of};
+use twinrung_workbench::generate::Size;
+
+use crate::{failed, files};
+
+/// The evaluators that run against each other.
+#[cfg(not(feature = "judge"))]
+type Contest = twinrung_workbench::fuzz::Pairs<twinrung_primary::Primary, twinrung_partner::Partner>;
+#[cfg(feature = "judge")]
+type Contest = twinrung_trio::Trios;
+
+/// Arguments of `fuzz`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "A seed gives the same program and the same inputs everywhere. A difference is made as small as it gets and written\n\
+as CASES/seed-N.rll and CASES/seed-N.csv, which --replay runs again.\n\
+Exit code: 0 no difference, 1 a difference, 2 unreadable."
+)]
+pub struct Fuzz {
+    /// How long, as 30s, 5m or 2h
+    #[arg(long, value_name = "TIME", default_value = "30s", value_parser = duration)]
+    time: Duration,
+    /// The first seed
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// End after so many programs
+    #[arg(long, value_name = "N")]
+    programs: Option<u64>,
+    /// Scans of each program
+    #[arg(long, value_name = "N", default_value_t = 300)]
+    scans: usize,
+    /// Rungs of each main routine; without it one program in four is large
+    #[arg(long, value_name = "N")]
+    rungs: Option<usize>,
+    /// Threads; as many as there are cores where this is not given
+    #[arg(long, value_name = "N")]
+    jobs: Option<NonZeroUsize>,
+    /// End after so many differences
+    #[arg(long, value_name = "N", default_value_t = 5)]
+    differences: usize,
+    /// Folder for what differs
+    #[arg(long, value_name = "FOLDER", default_value = "cases")]
+    cases: PathBuf,
+    /// Show how often each instruction was executed
+    #[arg(long)]
+    coverage: bool,
+    /// Run a case again: its .rll, with the .csv beside it
+    #[arg(long, value_name = "CASE", conflicts_with_all = ["seed", "programs", "rungs", "jobs", "coverage"])]
+    replay: Option<PathBuf>,
+}
+
+const DIFFER: u8 = 1;
+
+/// A time as people write it.
+fn duration(text: &str) -> Result<Duration, String> {
+    let wrong = || format!("`{text}` is no time: 30s, 5m, 2h");
+    let (number, unit) = text.split_at(text.find(|one: char| !one.is_ascii_digit()).unwrap_or(text.len()));
+    let seconds = match unit {
+        "s" | "" => 1,
+        "m" | "min" => 60,
+        "h" => 3600,
+        _ => return Err(wrong()),
+    };
+    number.parse::<u64>().ok().and_then(|number| number.checked_mul(seconds)).map(Duration::from_secs).ok_or_else(wrong)
+}
+
+/// Runs.
+pub fn run(arguments: &Fuzz) -> io::Result<ExitCode> {
+    // A panic of an evaluator is caught, made small and reported as what it is: a defect.
+    std::panic::set_hook(Box::new(|_| {}));
+    match &arguments.replay {
+        Some(case) => again(case),
+        None => campaign(arguments),
+    }
+}
+
+fn again(path: &Path) -> io::Result<ExitCode> {
+    let read = |path: &Path| {
+        fs::read_to_string(path).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
+    };
+    let text = read(path)?;
+    let inputs = path.with_extension("csv");
+    let csv = read(&inputs)?;
+    let subject = Subject::from_text(&text)
+        .map_err(|findings| io::Error::other(format!("{}: {}", path.display(), findings.join("\n"))))?;
+    let case = Case::read(text, &csv, &subject.image)
+        .map_err(|error| io::Error::other(format!("{}: {error}", inputs.display())))?;
+    let mut out = io::stdout().lock();
+    match replay::<Contest>(&case.text, &case.stimulus) {
+        Outcome::Agreed(counts) => {
+            writeln!(out, "{}: {} steps, no difference", path.display(), counts.scans)?;
+            Ok(ExitCode::SUCCESS)
+        }
+        Outcome::Refused(findings) => Err(io::Error::other(findings.join("\n"))),
+        Outcome::Failed { report, steps } => {
+            writeln!(out, "{}: after step {steps}: {}", path.display(), report.trim_end())?;
+            Ok(ExitCode::from(DIFFER))
+        }
+    }
+}
+
+fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
+    let jobs = arguments.jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+    let (next, over) = (AtomicU64::new(arguments.seed), AtomicBool::new(false));
+    let end = arguments.programs.map_or(u64::MAX, |programs| arguments.seed.saturating_add(programs));
+    let begun = Instant::now();
+    let bar = progress(arguments);
+    let mut campaign = Campaign::default();
+    thread::scope(|scope| -> io::Result<()> {
+        let (sender, receiver) = mpsc::channel::<(u64, Ran)>();
+        for _ in 0..jobs {
+            let sender = sender.clone();
+            let (next, over) = (&next, &over);
+            scope.spawn(move || {
+                while !over.load(Ordering::Relaxed) && begun.elapsed() < arguments.time {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    let size = arguments.rungs.map_or_else(|| size_of(seed), Size::of_rungs);
+                    if seed >= end || sender.send((seed, ran::<Contest>(seed, size, arguments.scans))).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        for (seed, ran) in receiver {
+            campaign.add(seed, ran);
+            show(&bar, &campaign, begun.elapsed());
+            if campaign.failures.last().is_some_and(|failure| failure.seed == seed) {
+                written(&arguments.cases, &campaign)?;
+            }
+            over.fetch_or(campaign.failures.len() >= arguments.differences, Ordering::Relaxed);
+        }
+        Ok(())
+    })?;
+    bar.finish_and_clear();
+    summary(arguments, &campaign, begun.elapsed())
+}
+
+fn progress(arguments: &Fuzz) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(arguments.time.as_secs());
+    let style = ProgressStyle::with_template("{bar:30} {elapsed} {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
+}
+
+fn show(bar: &ProgressBar, campaign: &Campaign, took: Duration) {
+    bar.set_position(took.as_secs());
+    let coverage = &campaign.total.executions.coverage;
+    let per_second = campaign.total.instructions as f64 / took.as_secs_f64().max(f64::EPSILON);
+    let missing = coverage.missing();
+    let rest = missing.first().map_or(String::new(), |first| format!(", {} not reached ({first} ...)", missing.len()));
+    bar.set_message(format!(
+        "{} programs, {per_second:.1e} instructions/s, {} instruction pairs{rest}, {} differences",
+        campaign.programs,
+        coverage.pairs(),
+        campaign.failures.len()
+    ));
+}
+
+/// Writes the last difference that was found.
+fn written(folder: &Path, campaign: &Campaign) -> io::Result<()> {
+    let Some(failure) = campaign.failures.last() else { return Ok(()) };
+    fs::create_dir_all(folder).map_err(|error| io::Error::other(format!("{}: {error}", folder.display())))?;
+    let path = folder.join(format!("seed-{}.rll", failure.seed));
+    files::write_whole(&path, failure.case.text.as_bytes()).map_err(failed)?;
+    files::write_whole(&path.with_extension("csv"), failure.case.to_csv().as_bytes()).map_err(failed)
+}
+
+fn summary(arguments: &Fuzz, campaign: &Campaign, took: Duration) -> io::Result<ExitCode> {
+    let mut out = io::stdout().lock();
+    for failure in &campaign.failures {
+        writeln!(out, "{failure}\n")?;
+    }
+    for (finding, (count, seed)) in &campaign.reasons {
+        writeln!(out, "refused {count}, first of seed {seed}: {finding}")?;
+    }
+    let coverage = &campaign.total.executions.coverage;
+    if arguments.coverage {
+        write!(out, "{coverage}")?;
+    }
+    let missing = coverage.missing();
+    let missing = if missing.is_empty() { "nothing".to_owned() } else { missing.join(", ") };
+    writeln!(out, "{campaign}")?;
+    writeln!(
+        out,
+        "reached: {} pairs of instructions, {} forms of operands; not reached: {missing}",
+        coverage.pairs(),
+        coverage.forms()
+    )?;
+    let per_second = |count: u64| count as f64 / took.as_secs_f64().max(f64::EPSILON);
+    writeln!(
+        out,
+        "from seed {}, {:.1} s, {:.0} rungs and {:.0} instructions in a second",
+        arguments.seed,
+        took.as_secs_f64(),
+        per_second(campaign.total.executions.rungs),
+        per_second(campaign.total.instructions)
+    )?;
+    if let Some(failure) = campaign.failures.first() {
+        writeln!(out, "run it again: twinrung fuzz --replay {}/seed-{}.rll", arguments.cases.display(), failure.seed)?;
+        return Ok(ExitCode::from(DIFFER));
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,93 @@
+//! `twinrung fuzz`: it finds what was put in, makes it small, and what it writes shows it again.
+
+use std::fs;
+
+use twinrung_primary::Primary;
+use twinrung_workbench::fuzz::{Case, Failure, Outcome, Pairs, Ran, Subject, ran, replay};
+use twinrung_workbench::generate::{self, Size};
+
+use crate::command::twinrung;
+use crate::wrong_partner::{Defect, WrongPartner};
+
+/// A clock that counts in steps of 2 ms.
+struct CoarseClock;
+
+impl Defect for CoarseClock {
+    fn clock(now_ms: i64) -> i64 {
+        now_ms & !1
+    }
+}
+
+type Coarse = Pairs<Primary, WrongPartner<CoarseClock>>;
+
+/// The first program on which a coarse clock shows.
+fn found() -> Box<Failure> {
+    let failed = |seed| match ran::<Coarse>(seed, Size::SMALL, 60) {
+        Ran::Failed(failure) => Some(failure),
+        Ran::Agreed(_) | Ran::Refused(_) => None,
+    };
+    (1..100).find_map(failed).expect("a coarse clock shows in a timer")
+}
+
+/// REQ-FUZZ-001
+#[test]
+fn campaign_when_one_channel_has_a_defect_then_it_is_found_and_made_small() {
+    let failure = found();
+    let whole = generate::program(failure.seed, Size::SMALL).text;
+    assert!(failure.case.text.lines().count() * 3 < whole.lines().count(), "{failure}");
+    assert!(failure.smallest.contains("the channels differ in"), "{failure}");
+}
+
+/// REQ-FUZZ-002
+#[test]
+fn case_when_written_and_read_again_then_it_shows_the_same_difference() {
+    let failure = found();
+    let subject = Subject::from_text(&failure.case.text).unwrap();
+    let read = Case::read(failure.case.text.clone(), &failure.case.to_csv(), &subject.image).unwrap();
+    let Outcome::Failed { report, .. } = replay::<Coarse>(&read.text, &read.stimulus) else { panic!("it is gone") };
+    assert_eq!(report, failure.smallest);
+}
+
+/// REQ-FUZZ-002
+#[test]
+fn case_when_of_any_program_then_its_inputs_read_back_as_they_were_written() {
+    for seed in 0..20 {
+        let generated = generate::program(seed, Size::SMALL);
+        let Ok(subject) = Subject::from_text(&generated.text) else { continue };
+        let stimulus = generate::stimulus(seed, &generated, 40);
+        let written = Case { text: generated.text, stimulus }.to_csv();
+        let read = Case::read(String::new(), &written, &subject.image).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(read.to_csv(), written, "seed {seed}");
+    }
+}
+
+/// REQ-FUZZ-003
+#[test]
+fn command_when_the_channels_agree_then_it_says_what_was_run_and_what_was_reached() {
+    let said = twinrung(&["fuzz", "--programs", "24", "--scans", "40", "--jobs", "2", "--time", "10m"]);
+    assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
+    assert!(said.out.starts_with("24 programs, "), "{}", said.out);
+    assert!(said.out.contains(" 0 failures\nreached: "), "{}", said.out);
+}
+
+/// REQ-FUZZ-003
+#[test]
+fn command_when_given_a_case_then_it_runs_it_or_says_what_is_wrong_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let generated = generate::program(3, Size::SMALL);
+    let stimulus = generate::stimulus(3, &generated, 20);
+    let case = Case { text: generated.text, stimulus };
+    let path = folder.path().join("case.rll");
+    fs::write(&path, &case.text).unwrap();
+    let shown = path.to_str().unwrap();
+    let missing = twinrung(&["fuzz", "--replay", shown]);
+    assert_eq!(missing.code, Some(2), "{}", missing.err);
+    assert!(missing.err.contains("case.csv"), "{}", missing.err);
+    fs::write(path.with_extension("csv"), case.to_csv()).unwrap();
+    let said = twinrung(&["fuzz", "--replay", shown]);
+    assert_eq!((said.code, said.out.contains("21 steps, no difference")), (Some(0), true), "{}{}", said.out, said.err);
+    fs::write(path.with_extension("csv"), "ms,step,budget,system_values\n0,jump,100,\n").unwrap();
+    let broken = twinrung(&["fuzz", "--replay", shown]);
+    assert_eq!(broken.code, Some(2));
+    assert!(broken.err.contains("line 2: `jump` is neither scan nor prescan"), "{}", broken.err);
+}

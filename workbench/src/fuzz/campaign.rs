@@ -1,0 +1,116 @@
+//! Many random programs, one after the other, and what they amounted to.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use crate::generate::{self, Size};
+
+use super::{Case, Contest, Counts, Outcome, replay, shrink};
+
+/// What came of the program of one seed.
+#[derive(Debug)]
+pub enum Ran {
+    /// The evaluators agreed.
+    Agreed(Box<Counts>),
+    /// The compiler refused the program: its first finding.
+    Refused(String),
+    /// They did not agree.
+    Failed(Box<Failure>),
+}
+
+/// A program on which the evaluators do not agree.
+#[derive(Debug)]
+pub struct Failure {
+    /// The seed of the program.
+    pub seed: u64,
+    /// What they differed in at first.
+    pub report: String,
+    /// The smallest case found.
+    pub case: Case,
+    /// What they differ in there.
+    pub smallest: String,
+}
+
+/// A run over many seeds.
+#[derive(Debug, Default)]
+pub struct Campaign {
+    /// Programs generated.
+    pub programs: u64,
+    /// Programs that the compiler refused.
+    pub refused: u64,
+    /// What the others executed, all together.
+    pub total: Counts,
+    /// For each finding that refused a program: how many, and the seed of the first.
+    pub reasons: BTreeMap<String, (u64, u64)>,
+    /// The seeds on which the evaluators do not agree.
+    pub failures: Vec<Failure>,
+}
+
+/// The size that the program of a seed has where nothing else is asked for: one in four is large.
+pub fn size_of(seed: u64) -> Size {
+    if seed.is_multiple_of(4) { Size::LARGE } else { Size::SMALL }
+}
+
+/// Runs the program of one seed for so many scans; a failure is shrunk.
+pub fn ran<C: Contest>(seed: u64, size: Size, scans: usize) -> Ran {
+    let generated = generate::program(seed, size);
+    let stimulus = generate::stimulus(seed, &generated, scans);
+    match replay::<C>(&generated.text, &stimulus) {
+        Outcome::Agreed(counts) => Ran::Agreed(counts),
+        Outcome::Refused(findings) => Ran::Refused(findings.into_iter().next().unwrap_or_default()),
+        Outcome::Failed { report, .. } => {
+            let (case, smallest) = shrink::<C>(Case { text: generated.text, stimulus });
+            Ran::Failed(Box::new(Failure { seed, report, case, smallest }))
+        }
+    }
+}
+
+impl Campaign {
+    /// Runs the program of one seed for so many scans; a failure is shrunk and kept.
+    pub fn run<C: Contest>(&mut self, seed: u64, size: Size, scans: usize) {
+        self.add(seed, ran::<C>(seed, size, scans));
+    }
+
+    /// Adds what came of a seed.
+    pub fn add(&mut self, seed: u64, ran: Ran) {
+        self.programs += 1;
+        match ran {
+            Ran::Agreed(counts) => self.total.add(&counts),
+            Ran::Refused(finding) => {
+                self.refused += 1;
+                self.reasons.entry(finding).or_insert((0, seed)).0 += 1;
+            }
+            Ran::Failed(failure) => self.failures.push(*failure),
+        }
+    }
+
+    /// The failures as text; empty where there is none.
+    pub fn failures_shown(&self) -> String {
+        self.failures.iter().map(|failure| format!("{failure}\n\n")).collect()
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Failure { seed, report, case, smallest } = self;
+        writeln!(f, "seed {seed}: {}", report.trim_end())?;
+        writeln!(f, "\nthe smallest program that still shows it:\n\n{}", case.text)?;
+        writeln!(f, "its inputs:\n\n{}", case.to_csv())?;
+        f.write_str(smallest)
+    }
+}
+
+impl fmt::Display for Campaign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Counts { scans, faulted, over_budget, cleared, instructions, executions } = &self.total;
+        write!(
+            f,
+            "{} programs, {} refused, {scans} scans ({faulted} faulted, {over_budget} over budget, {cleared} faults cleared), \
+             {instructions} instructions, {} rung executions, {} failures",
+            self.programs,
+            self.refused,
+            executions.rungs,
+            self.failures.len()
+        )
+    }
+}

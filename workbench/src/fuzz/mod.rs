@@ -1,0 +1,26 @@
+//! Differential fuzzing: random valid programs run on evaluators that compare themselves after every scan, and what they
+//! differ in is shrunk to the smallest program and inputs that still show it.
+//!
+//! Which evaluators is a [`Contest`]: the two channels ([`Pairs`]), or with a third opinion where a test brings one.
+
+mod campaign;
+mod case;
+mod contest;
+mod coverage;
+mod executions;
+mod pair;
+mod replay;
+mod shrink;
+mod subject;
+mod system_values;
+
+pub use campaign::{Campaign, Failure, Ran, ran, size_of};
+pub use case::{Case, CaseError};
+pub use contest::{Contest, Ended, Evaluators};
+pub use coverage::Coverage;
+pub use executions::Executions;
+pub use pair::{Pair, Pairs};
+pub use replay::{Counts, Outcome, replay};
+pub use shrink::shrink;
+pub use subject::Subject;
+pub use system_values::{SystemSample, system_samples};

@@ -1,0 +1,102 @@
+//! The two channels against each other, compared as the controller compares them.
+
+use std::marker::PhantomData;
+
+use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
+use twinrung_bytecode::observer::Silent;
+use twinrung_catalog::Element;
+use twinrung_controller::compare;
+
+use crate::cells;
+use crate::difference;
+use crate::generate::Random;
+use crate::signal::{Signal, Value};
+
+use super::{Contest, Ended, Evaluators, Executions, Subject, system_samples};
+
+/// The contest between two channels.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Pairs<A, B>(PhantomData<(A, B)>);
+
+/// Two channels with one program. The first reports what it executes.
+pub struct Pair<'s, A, B> {
+    subject: &'s Subject,
+    first: A,
+    second: B,
+    executions: Executions,
+    system_values: Vec<i32>,
+    budget: u64,
+}
+
+impl<A: Channel, B: Channel> Contest for Pairs<A, B> {
+    type Evaluators<'s> = Pair<'s, A, B>;
+
+    fn load(subject: &Subject, budget: u64) -> Pair<'_, A, B> {
+        Pair {
+            subject,
+            first: A::load(&subject.image).unwrap_or_else(|error| panic!("primary: {error}")),
+            second: B::load(&subject.image).unwrap_or_else(|error| panic!("partner: {error}")),
+            executions: Executions::new(subject),
+            system_values: vec![0; subject.image.image().system_values_length()],
+            budget,
+        }
+    }
+}
+
+impl<A: Channel, B: Channel> Pair<'_, A, B> {
+    fn judged(&self, ends: (ScanEnd, ScanEnd)) -> Result<Ended, String> {
+        match compare(self.subject.image.image(), &self.first, &self.second, ends) {
+            Some(found) => Err(difference::words(&self.subject.image, found)),
+            None => Ok(match ends.0 {
+                ScanEnd::Completed => Ended::Completed,
+                ScanEnd::MajorFault(fault) => Ended::Fault(fault.code),
+                ScanEnd::BudgetExceeded => Ended::BudgetExceeded,
+            }),
+        }
+    }
+}
+
+impl<A: Channel, B: Channel> Evaluators for Pair<'_, A, B> {
+    fn set(&mut self, values: &[(Signal, Value)]) {
+        for (signal, value) in values {
+            let held = match (*signal, *value) {
+                (Signal::Word(_, Element::Real), Value::Real(value)) => value.to_bits() as i32,
+                (_, Value::Integer(value)) => value,
+                (_, value) => i32::from(value.is_true()),
+            };
+            cells::write(&mut self.first, *signal, held);
+            cells::write(&mut self.second, *signal, held);
+        }
+    }
+
+    fn set_system_values(&mut self, random: &mut Random) {
+        for sample in system_samples(&self.subject.image, random) {
+            let first = sample.record.first as usize;
+            self.system_values[first..first + sample.values.len()].copy_from_slice(&sample.values);
+        }
+    }
+
+    fn prescan(&mut self, now_ms: i64) -> Result<Ended, String> {
+        let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
+        let ends = (self.first.prescan(inputs, &mut self.executions), self.second.prescan(inputs, &mut Silent));
+        self.judged(ends)
+    }
+
+    fn scan(&mut self, now_ms: i64) -> Result<Ended, String> {
+        let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
+        let ends = (self.first.scan(inputs, &mut self.executions), self.second.scan(inputs, &mut Silent));
+        self.judged(ends)
+    }
+
+    fn executed(&self) -> u64 {
+        self.first.status().executed
+    }
+
+    fn cleared_faults(&self) -> u64 {
+        u64::from(self.first.status().cleared_faults)
+    }
+
+    fn executions(&self) -> &Executions {
+        &self.executions
+    }
+}
