@@ -2,17 +2,22 @@
 
 use std::fmt;
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use clap::Args;
 use twinrung_bytecode::{AdmittedImage, ImageError, admit, bound};
-use twinrung_compiler::diagnostic::{Finding, OVER_LIMIT};
+use twinrung_compiler::diagnostic::{BROKEN_FILE, Finding, OVER_LIMIT, UNREADABLE_FILE};
 use twinrung_compiler::lower::is_limit;
-use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
+use twinrung_compiler::{CheckedProject, Completion, check, compile};
 use twinrung_grammar::read_path;
 use twinrung_grammar::tree::{File, Sources};
+use twinrung_workbench::Stimulus;
 
-use crate::findings::Report;
+use crate::findings::{self, Count, Report};
+use crate::terminal::{self, Terminal};
+use crate::{exit, failed};
 
 /// What completes a partial export.
 #[derive(Debug, Clone, Default, Args)]
@@ -35,11 +40,22 @@ pub struct Complete {
     pub outputs: Vec<String>,
 }
 
+/// What a program must be to be executed.
+#[derive(Debug, Clone, Default, Args)]
+pub struct Required {
+    /// Refuse a program with another safety application signature
+    #[arg(long, value_name = "SIGNATURE")]
+    pub expect: Option<String>,
+    /// Refuse an image whose bound in instructions is above the budget of its watchdog
+    #[arg(long)]
+    pub require_bound: bool,
+}
+
 /// Why there is nothing to work on.
 #[derive(Debug)]
 pub enum InputError {
     /// The file is not there or cannot be read.
-    Unreadable(PathBuf, std::io::Error),
+    Unreadable(PathBuf, io::Error),
     /// `--controller` is not CATALOG/REV.
     Controller(String),
     /// An image that the loader refuses.
@@ -71,7 +87,7 @@ impl fmt::Display for InputError {
             InputError::Defect(message) => write!(f, "a defect of this tool: {message}"),
             InputError::Bound(error) => write!(f, "{error}"),
             InputError::Unexpected { expected, found } => {
-                write!(f, "expected the signature {expected}, found {found}: nothing was run")
+                write!(f, "expected the signature {expected}, found {found}")
             }
         }
     }
@@ -95,6 +111,23 @@ impl Read {
     /// The findings with what they point into.
     pub fn report(&self) -> Report<'_> {
         Report { sources: &self.sources, trees: &self.trees, findings: &self.findings }
+    }
+
+    /// How many findings there are of each weight.
+    pub fn count(&self) -> Count {
+        Count::of(&self.findings)
+    }
+
+    /// Whether a file, or a part of one, could not be read.
+    pub fn is_unreadable(&self) -> bool {
+        self.findings.iter().any(|finding| [&UNREADABLE_FILE, &BROKEN_FILE].contains(&finding.code))
+    }
+
+    /// Prints why a project is refused and what follows from that (`; nothing was run`); the exit code for it.
+    pub fn refuse(&self, out: &mut dyn Write, path: &Path, consequence: &str) -> io::Result<ExitCode> {
+        findings::print_human(out, &self.report(), Terminal::of_stdout(), false)?;
+        writeln!(out, "{}: {}{consequence}", path.display(), findings::summary(self.count()))?;
+        Ok(ExitCode::from(if self.is_unreadable() { exit::UNREADABLE } else { exit::REFUSED }))
     }
 }
 
@@ -186,7 +219,7 @@ pub fn read_text(name: &Path, text: &str) -> Read {
 }
 
 /// Compiles a checked project and admits its own image, so that nothing runs that a loader would refuse.
-pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), InputError> {
+pub fn compiled(project: &CheckedProject) -> Result<Loaded, InputError> {
     let compiled = compile(project).map_err(|finding| match finding.code.id {
         id if id == OVER_LIMIT.id => InputError::Limit(finding.message),
         _ => InputError::Defect(finding.message),
@@ -195,17 +228,71 @@ pub fn compiled(project: &CheckedProject) -> Result<(CompiledImage, Loaded), Inp
         true => InputError::Limit(format!("the project is larger than an image can be: {error}")),
         false => InputError::Image(PathBuf::from("the compiled image"), error),
     })?;
-    let bytes = compiled.bytes.clone();
-    Ok((compiled, Loaded { image, bytes }))
+    Ok(Loaded { image, bytes: compiled.bytes })
+}
+
+/// FILE as an image: the one that it is, or that of its project. Where a project is refused its findings are printed, with
+/// what follows from that (`; nothing was run`), and the exit code is the answer.
+pub fn image(
+    out: &mut dyn Write,
+    path: &Path,
+    complete: &Complete,
+    consequence: &str,
+) -> io::Result<Result<Loaded, ExitCode>> {
+    match open(path, complete).map_err(failed)? {
+        Input::Image(loaded) => Ok(Ok(*loaded)),
+        Input::Project(read) => image_of(out, path, &read, consequence),
+    }
+}
+
+/// The image of a project that was read, as [`image`] has it.
+pub fn image_of(
+    out: &mut dyn Write,
+    path: &Path,
+    read: &Read,
+    consequence: &str,
+) -> io::Result<Result<Loaded, ExitCode>> {
+    let Some(project) = &read.project else { return read.refuse(out, path, consequence).map(Err) };
+    let count = read.count();
+    if count.warnings + count.suppressed > 0 {
+        let path = path.display();
+        terminal::tell(format_args!("{path}: {} (twinrung check {path} shows them)", findings::summary(count)));
+    }
+    compiled(project).map(Ok).map_err(failed)
+}
+
+/// The stimulus that is named, or the stimulus.csv in the folder that is FILE.
+pub fn stimulus(file: &Path, named: Option<&Path>) -> io::Result<Option<Stimulus>> {
+    let beside = file.join("stimulus.csv");
+    let path = match named {
+        Some(path) => path,
+        None if beside.is_file() => &beside,
+        None => return Ok(None),
+    };
+    let stimulus = Stimulus::read(&text(path)?);
+    stimulus.map(Some).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
+}
+
+/// A text file.
+pub fn text(path: &Path) -> io::Result<String> {
+    fs::read_to_string(path).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
+}
+
+impl Required {
+    /// Refuses an image that is not what is required.
+    pub fn check(&self, loaded: &Loaded) -> Result<(), InputError> {
+        expect(loaded, self.expect.as_deref())?;
+        if self.require_bound { within_budget(loaded) } else { Ok(()) }
+    }
 }
 
 /// Refuses an image whose bound in instructions is above the budget of its watchdog (REQ-BOUND-007).
-pub fn require_bound(loaded: &Loaded) -> Result<(), InputError> {
+pub fn within_budget(loaded: &Loaded) -> Result<(), InputError> {
     bound::check(&loaded.image).map_err(InputError::Bound)
 }
 
 /// Refuses an image whose application signature is not the expected one, in its short or its long form.
-pub fn expect(loaded: &Loaded, expected: Option<&str>) -> Result<(), InputError> {
+fn expect(loaded: &Loaded, expected: Option<&str>) -> Result<(), InputError> {
     let Some(expected) = expected else { return Ok(()) };
     let signature = loaded.image.application_signature();
     let long = twinrung_bytecode::signature::long_form(signature);

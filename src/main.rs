@@ -2,10 +2,11 @@
 
 #![forbid(unsafe_code)]
 
+mod exit;
 mod files;
 mod findings;
 mod input;
-mod ladder;
+mod progress;
 mod terminal;
 mod verb;
 
@@ -54,9 +55,6 @@ enum Verb {
     Explain(verb::explain::Explain),
 }
 
-/// Exit code where a file cannot be read or an argument is wrong.
-const UNREADABLE: u8 = 2;
-
 fn main() -> ExitCode {
     let outcome = match Command::parse().verb {
         Verb::Check(arguments) => verb::check::run(&arguments),
@@ -72,11 +70,9 @@ fn main() -> ExitCode {
     };
     match outcome {
         Ok(code) => code,
-        // Somebody closed the pipe: they have seen enough.
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("twinrung: {error}");
-            ExitCode::from(UNREADABLE)
+            terminal::tell(format_args!("twinrung: {error}"));
+            ExitCode::from(exit::UNREADABLE)
         }
     }
 }

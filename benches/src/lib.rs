@@ -5,13 +5,14 @@
 #![forbid(unsafe_code)]
 
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use twinrung_bytecode::observer::Silent;
 use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_compiler::{CheckedProject, Completion, check, compile};
-use twinrung_controller::{DualController, Part, ScanClock};
+use twinrung_controller::DualController;
 use twinrung_grammar::tree::Sources;
+use twinrung_workbench::bench::Stopwatch;
 use twinrung_workbench::mix::{PERIOD_MS, Toggles, hash};
 
 /// What goes wrong in a benchmark, in words.
@@ -62,7 +63,7 @@ pub enum Inputs {
 pub struct Timing {
     /// The whole scan: freeze, both channels, comparison, publish.
     pub scan_ns: u64,
-    /// Its parts, in the order of [`Part::ALL`].
+    /// Its parts, in the order of [`twinrung_controller::Part::ALL`].
     pub parts_ns: [u64; 5],
     /// The state after the last scan.
     pub hash: u64,
@@ -73,7 +74,7 @@ pub fn timed(image: &AdmittedImage, bytes: &[u8], scans: u64, inputs: Inputs) ->
     let mut controller = controller(image, bytes)?;
     let each_scan = if let Inputs::Toggled(count) = inputs { count } else { 0 };
     let mut toggles = Toggles::new(&mut controller, each_scan).ok_or("not a generated program")?;
-    let mut clock = PartClock::default();
+    let mut clock = Stopwatch::new(None);
     let mut times: [Vec<u64>; 6] = Default::default();
     for scan in 0..scans {
         match inputs {
@@ -97,36 +98,4 @@ pub fn timed(image: &AdmittedImage, bytes: &[u8], scans: u64, inputs: Inputs) ->
 pub fn median<T: PartialOrd + Copy + Default>(mut values: Vec<T>) -> T {
     values.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
     values.get(values.len() / 2).copied().unwrap_or_default()
-}
-
-/// Takes the time at the end of each part.
-#[derive(Debug, Clone, Copy)]
-pub struct PartClock([Instant; 6]);
-
-impl Default for PartClock {
-    fn default() -> PartClock {
-        PartClock([Instant::now(); 6])
-    }
-}
-
-impl PartClock {
-    /// The parts of the last scan, in the order of [`Part::ALL`].
-    pub fn parts(&self) -> [Duration; 5] {
-        let [begun, freeze, primary, partner, compare, publish] = self.0;
-        [freeze - begun, primary - freeze, partner - primary, compare - partner, publish - compare]
-    }
-}
-
-impl ScanClock for PartClock {
-    fn begin(&mut self) {
-        self.0[0] = Instant::now();
-    }
-
-    fn ended(&mut self, part: Part) {
-        self.0[part as usize + 1] = Instant::now();
-    }
-
-    fn expired(&mut self) -> bool {
-        false
-    }
 }

@@ -6,10 +6,11 @@ use std::io::{self, Write};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 use twinrung_compiler::diagnostic::{Finding, Label, PlacedRung, RungIndex, Severity};
 use twinrung_grammar::tree::{FileForm, SourceId, Sources, Span};
+use twinrung_workbench::ladder::{self, Places};
+use twinrung_workbench::pages::terminal::wrapped;
 
 use super::quote::{Quote, range};
 use super::{Report, file_name};
-use crate::ladder::{self, Places};
 use crate::terminal::Terminal;
 
 /// Columns before a drawing.
@@ -153,20 +154,10 @@ impl<'a> Printer<'a, '_> {
 
     fn help(&mut self, help: &str) -> io::Result<()> {
         let (begin, end) = if self.terminal.colour { ("\u{1b}[36m", "\u{1b}[0m") } else { ("", "") };
-        let indent = "  help: ";
-        let mut line = format!("  {begin}help:{end}");
-        let mut used = indent.len() - 1;
-        for word in help.split_whitespace() {
-            if used + 1 + word.chars().count() > self.terminal.columns {
-                writeln!(self.out, "{line}")?;
-                line = " ".repeat(indent.len() - 1);
-                used = indent.len() - 1;
-            }
-            line.push(' ');
-            line.push_str(word);
-            used += 1 + word.chars().count();
-        }
-        writeln!(self.out, "{line}")
+        let hang = "  help: ".len();
+        let mut text = String::new();
+        wrapped(&mut text, help, hang, hang, self.terminal.columns);
+        write!(self.out, "  {begin}help:{end} {}", text.trim_start())
     }
 
     fn place(&self, span: Span) -> String {

@@ -43,6 +43,8 @@ pub struct Count {
     pub errors: usize,
     /// Findings that somebody should look at.
     pub warnings: usize,
+    /// What is worth knowing and is shown on demand.
+    pub notes: usize,
     /// Warnings that somebody has accepted with a reason.
     pub suppressed: usize,
 }
@@ -56,6 +58,7 @@ impl Count {
         Count {
             errors: open(Severity::Error),
             warnings: open(Severity::Warning),
+            notes: open(Severity::Note),
             suppressed: findings.iter().filter(|finding| finding.accepted.is_some()).count(),
         }
     }
@@ -85,6 +88,9 @@ pub fn summary(count: Count) -> String {
     }
     if count.warnings > 0 {
         parts.push(plural(count.warnings, "warning"));
+    }
+    if count.notes > 0 {
+        parts.push(plural(count.notes, "note"));
     }
     if parts.is_empty() {
         parts.push("no findings".to_owned());

@@ -40,15 +40,6 @@ fn line_start(source: &Source, line: u32) -> usize {
     (source.line(line).as_ptr() as usize).saturating_sub(source.text().as_ptr() as usize).min(source.text().len())
 }
 
-/// The nearest character boundary at or below.
-fn boundary(text: &str, mut at: usize) -> usize {
-    at = at.min(text.len());
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
-}
-
 impl SourceCode for Quote<'_> {
     fn read_span<'a>(
         &'a self,
@@ -82,7 +73,10 @@ impl SourceCode for Quote<'_> {
             end = start + length;
         }
         let (begin, end) = if longest > LINE_MAX {
-            (boundary(text, from.saturating_sub(AROUND).max(begin)), boundary(text, (to + AROUND).min(end).max(to)))
+            (
+                text.floor_char_boundary(from.saturating_sub(AROUND).max(begin)),
+                text.floor_char_boundary((to + AROUND).min(end).max(to)),
+            )
         } else {
             (begin, end.max(to))
         };

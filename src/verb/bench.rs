@@ -1,25 +1,22 @@
 //! `twinrung bench`: scan time against period and watchdog.
 
-use std::fs;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
 use twinrung_workbench::bench::{self, Driven, Plan, Report};
 use twinrung_workbench::mix::{Mix, Program};
-use twinrung_workbench::{RunError, Stimulus};
 
-use crate::findings;
-use crate::input::{self, Complete, Input, Loaded};
-use crate::terminal::Terminal;
-use crate::{failed, files};
+use crate::input::{self, Complete, Loaded, Required};
+use crate::progress::with_progress;
+use crate::terminal::{self, Terminal, tell};
+use crate::{exit, failed, files};
 
 /// Arguments of `bench`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without --stimulus every input that no logic writes is driven at random: all off, all on, then one in 16 changes in each\n\
+    after_help = "Without a stimulus every input that no logic writes is driven at random: all off, all on, then one in 16 changes in each\n\
 scan. Plain numbers keep their values. Times are those of this machine, in a release build; instructions and their bound are\n\
 the same everywhere.\n\
 Exit code: 0 measured, 1 refused, 2 unreadable, 3 nonrecoverable fault, 4 recoverable fault not handled."
@@ -29,9 +26,9 @@ pub struct Bench {
     #[arg(required_unless_present = "mix", conflicts_with = "mix")]
     file: Option<PathBuf>,
     /// Scans whose time is taken
-    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=bench::SCANS_MAX))]
     scans: u64,
-    /// What drives the inputs, from its first row again when it is over
+    /// What drives the inputs, from its first row again when it is over; in a folder, its stimulus.csv where this is not given
     #[arg(long, value_name = "CSV", conflicts_with = "mix")]
     stimulus: Option<PathBuf>,
     /// Seed of the random inputs, and of a generated program
@@ -49,17 +46,13 @@ pub struct Bench {
     /// Also write a page with the histogram
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Refuse to measure a program with another safety application signature
-    #[arg(long, value_name = "SIGNATURE")]
-    expect: Option<String>,
-    /// Refuse an image whose bound in instructions is above the budget of its watchdog
-    #[arg(long)]
-    require_bound: bool,
-    /// Measure a generated program: simple (one shape of rung) or plant (rungs as plants have them)
-    #[arg(long, value_name = "MIX")]
+    #[command(flatten)]
+    required: Required,
+    /// Measure a generated program, which is complete: simple (one shape of rung) or plant (rungs as plants have them)
+    #[arg(long, value_name = "MIX", conflicts_with = "Complete")]
     mix: Option<Mix>,
     /// Rungs of the generated program
-    #[arg(long, value_name = "N", default_value_t = 1000, requires = "mix")]
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = rungs, requires = "mix")]
     rungs: usize,
     /// Toggles of its 256 inputs before each scan
     #[arg(long, value_name = "N", default_value_t = 16, requires = "mix")]
@@ -77,30 +70,35 @@ enum Format {
     Json,
 }
 
-const REFUSED: u8 = 1;
-const NONRECOVERABLE: u8 = 3;
-const RECOVERABLE: u8 = 4;
+const NOTHING_MEASURED: &str = "; nothing was measured";
+
+/// A number of rungs that an image has room for.
+fn rungs(text: &str) -> Result<usize, String> {
+    let most = twinrung_bytecode::limits::RUNGS;
+    text.parse().ok().filter(|rungs| (1..=most).contains(rungs)).ok_or_else(|| format!("1 to {most} rungs"))
+}
 
 /// Measures.
 pub fn run(arguments: &Bench) -> io::Result<ExitCode> {
-    let terminal = Terminal::of_stdout();
-    let Some(loaded) = loaded(arguments, terminal)? else { return Ok(ExitCode::from(REFUSED)) };
-    input::expect(&loaded, arguments.expect.as_deref()).map_err(failed)?;
-    if let (true, Err(error)) = (arguments.require_bound, input::require_bound(&loaded)) {
-        println!("{error}; nothing was measured");
-        return Ok(ExitCode::from(REFUSED));
+    let mut out = terminal::out();
+    let loaded = match loaded(arguments, &mut out)? {
+        Ok(loaded) => loaded,
+        Err(code) => return Ok(code),
+    };
+    if let Err(error) = arguments.required.check(&loaded) {
+        writeln!(out, "{error}{NOTHING_MEASURED}")?;
+        return Ok(ExitCode::from(exit::REFUSED));
     }
     let plan = plan(arguments)?;
     let measurement = with_progress(bench::scans_in_all(&plan), |progress| {
         bench::measure(&loaded.image, &loaded.bytes, &plan, progress)
     })
     .map_err(failed)?;
-    let estimate =
-        if arguments.no_estimate { None } else { Some(bench::estimate(&loaded.image).map_err(io::Error::other)?) };
+    // What was measured is shown even where no instruction could be calibrated.
+    let estimate = (!arguments.no_estimate).then(|| bench::estimate(&loaded.image));
     let report = Report::new(&loaded.image, &measurement, estimate);
-    let mut out = io::stdout().lock();
     match arguments.format {
-        Format::Human => out.write_all(bench::picture(&report, terminal.columns).as_bytes())?,
+        Format::Human => out.write_all(bench::picture(&report, Terminal::of_stdout().columns).as_bytes())?,
         Format::Json => {
             serde_json::to_writer_pretty(&mut out, &report)?;
             writeln!(out)?;
@@ -108,87 +106,40 @@ pub fn run(arguments: &Bench) -> io::Result<ExitCode> {
     }
     if let Some(path) = &arguments.html {
         files::write_whole(path, bench::page(&report).as_bytes())?;
-        eprintln!("wrote {}", path.display());
+        tell(format_args!("wrote {}", path.display()));
     }
     if cfg!(debug_assertions) {
-        eprintln!("this is a debug build: its times say nothing about a release build");
+        tell(format_args!("this is a debug build: its times say nothing about a release build"));
     }
-    Ok(match measurement.stopped {
-        None => ExitCode::SUCCESS,
-        Some((_, twinrung_controller::StopReason::Safety(_))) => ExitCode::from(NONRECOVERABLE),
-        Some((_, twinrung_controller::StopReason::Recoverable(_))) => ExitCode::from(RECOVERABLE),
-    })
+    Ok(exit::of_scans(measurement.stopped.map(|(_, reason)| reason)))
 }
 
 fn plan(arguments: &Bench) -> io::Result<Plan> {
     let plan = Plan { scans: arguments.scans, realtime: arguments.realtime, ..Plan::default() };
-    if arguments.mix.is_some() {
+    let Some(file) = &arguments.file else {
         // Every contender begins with the first scan, and compares states after the last.
         return Ok(Plan { inputs: Driven::Toggles(arguments.toggles), warm_up: 0, ..plan });
-    }
-    let beside = arguments.file.as_ref().map(|file| file.join("stimulus.csv")).filter(|path| path.is_file());
-    let inputs = match arguments.stimulus.as_ref().or(beside.as_ref()) {
-        Some(path) => {
-            let wrong = |error: &dyn std::fmt::Display| io::Error::other(format!("{}: {error}", path.display()));
-            let text = fs::read_to_string(path).map_err(|error| wrong(&error))?;
-            Driven::Stimulus(Stimulus::read(&text).map_err(|error| wrong(&error))?)
-        }
-        None => Driven::Random(arguments.seed),
     };
-    Ok(Plan { inputs, ..plan })
+    let stimulus = input::stimulus(file, arguments.stimulus.as_deref())?;
+    Ok(Plan { inputs: stimulus.map_or(Driven::Random(arguments.seed), Driven::Stimulus), ..plan })
 }
 
-fn loaded(arguments: &Bench, terminal: Terminal) -> io::Result<Option<Loaded>> {
-    if let Some(mix) = arguments.mix {
-        let program = Program::new(mix, arguments.rungs, arguments.seed);
-        if let Some(folder) = &arguments.keep {
-            keep(&program, folder, arguments.scans)?;
-        }
-        let name = PathBuf::from(format!("{mix}.rll"));
-        return project(&name, input::read_text(&name, &program.rll()), terminal);
+fn loaded(arguments: &Bench, out: &mut dyn Write) -> io::Result<Result<Loaded, ExitCode>> {
+    if let Some(file) = &arguments.file {
+        return input::image(out, file, &arguments.complete, NOTHING_MEASURED);
     }
-    let Some(file) = &arguments.file else { return Ok(None) };
-    match input::open(file, &arguments.complete).map_err(failed)? {
-        Input::Image(loaded) => Ok(Some(*loaded)),
-        Input::Project(read) => project(file, *read, terminal),
+    let mix = arguments.mix.unwrap_or(Mix::Simple);
+    let program = Program::new(mix, arguments.rungs, arguments.seed);
+    if let Some(folder) = &arguments.keep {
+        keep(&program, folder, arguments.scans)?;
     }
-}
-
-fn project(path: &std::path::Path, read: input::Read, terminal: Terminal) -> io::Result<Option<Loaded>> {
-    let Some(project) = &read.project else {
-        findings::print_human(&mut io::stdout(), &read.report(), terminal, false)?;
-        let count = findings::Count::of(&read.findings);
-        println!("{}: {}; nothing was measured", path.display(), findings::summary(count));
-        return Ok(None);
-    };
-    input::compiled(project).map(|(_, loaded)| Some(loaded)).map_err(failed)
+    let name = PathBuf::from(format!("{mix}.rll"));
+    input::image_of(out, &name, &input::read_text(&name, &program.rll()), NOTHING_MEASURED)
 }
 
 fn keep(program: &Program, folder: &std::path::Path, scans: u64) -> io::Result<()> {
-    fs::create_dir_all(folder)?;
+    std::fs::create_dir_all(folder)?;
     files::write_whole(&folder.join("project.rll"), program.rll().as_bytes())?;
     files::write_whole(&folder.join("project.L5X"), program.l5x().as_bytes())?;
     files::write_whole(&folder.join("stimulus.csv"), twinrung_workbench::mix::Toggles::csv(scans).as_bytes())
-}
-
-fn with_progress<T>(
-    scans: u64,
-    measure: impl FnOnce(&mut dyn FnMut(u64)) -> Result<T, RunError>,
-) -> Result<T, RunError> {
-    if !io::stderr().is_terminal() {
-        return measure(&mut |_| {});
-    }
-    let bar = ProgressBar::new(scans);
-    bar.set_style(
-        ProgressStyle::with_template("{bar:40} {pos}/{len} scans, {per_sec}, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
-    // Drawn between scans only, and seldom: the bar is not part of what is measured, but it warms no caches either.
-    let measured = measure(&mut |done| {
-        if done.is_multiple_of(256) {
-            bar.set_position(done);
-        }
-    });
-    bar.finish_and_clear();
-    measured
 }

@@ -5,16 +5,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use twinrung_compiler::diagnostic::{BROKEN_FILE, Finding, UNREADABLE_FILE};
 use twinrung_grammar::tree::Sources;
 
-use crate::findings::{self, Count, Format, Report};
+use crate::findings::{self, Format, Report};
 use crate::input::{self, Complete, Input};
-use crate::terminal::Terminal;
-use crate::{UNREADABLE, failed};
-
-/// Exit code where something was found.
-const FOUND: u8 = 1;
+use crate::terminal::{self, Terminal};
+use crate::{exit, failed};
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
@@ -40,7 +36,7 @@ pub struct Check {
 
 /// Checks and prints the findings.
 pub fn run(arguments: &Check) -> io::Result<ExitCode> {
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     let read = match input::open(&arguments.file, &arguments.complete).map_err(failed)? {
         Input::Project(read) => read,
         Input::Image(loaded) => {
@@ -55,16 +51,19 @@ pub fn run(arguments: &Check) -> io::Result<ExitCode> {
             return Ok(ExitCode::SUCCESS);
         }
     };
-    let count = Count::of(&read.findings);
+    let count = read.count();
     findings::print(&mut out, &read.report(), arguments.format, Terminal::of_stdout(), arguments.notes)?;
     if arguments.format == Format::Human {
-        writeln!(out, "{}: {}", arguments.file.display(), findings::summary(count))?;
+        let hidden = if count.notes > 0 && !arguments.notes { " (--notes shows the notes)" } else { "" };
+        writeln!(out, "{}: {}{hidden}", arguments.file.display(), findings::summary(count))?;
     }
-    let unreadable = |finding: &Finding| [&UNREADABLE_FILE, &BROKEN_FILE].contains(&finding.code);
-    Ok(if read.findings.iter().any(unreadable) {
-        ExitCode::from(UNREADABLE)
+    let unreadable = read.is_unreadable();
+    // The process ends: to give the memory back piece by piece would take a tenth of the time.
+    std::mem::forget(read);
+    Ok(if unreadable {
+        ExitCode::from(exit::UNREADABLE)
     } else if count.errors > 0 || (arguments.deny.is_some() && count.warnings > 0) {
-        ExitCode::from(FOUND)
+        ExitCode::from(exit::REFUSED)
     } else {
         ExitCode::SUCCESS
     })

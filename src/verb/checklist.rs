@@ -8,9 +8,10 @@ use clap::Args;
 use serde::Serialize;
 use twinrung_compiler::compile;
 use twinrung_workbench::checklist::{self, Answer, Evidence};
+use twinrung_workbench::pages::markdown::escaped;
 
-use crate::failed;
 use crate::input::{self, Complete, Input};
+use crate::{exit, failed, findings, terminal};
 
 /// How the lists are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -27,7 +28,7 @@ enum Format {
 #[derive(Debug, Args)]
 #[command(
     after_help = "A line is answered only where the files alone decide it, with the evidence; all others are left to a person.\n\
-Exit code: 0 no line is answered with no, 1 one is, 2 could not read."
+Exit code: 0 no line is answered with no, 1 one is, 2 could not read, or not all of it."
 )]
 pub struct Checklist {
     /// The project: .rll, .L5K, .L5X or a folder
@@ -56,22 +57,19 @@ pub fn run(arguments: &Checklist) -> io::Result<ExitCode> {
         signature: compiled.as_ref().map(|compiled| &compiled.application_signature),
     };
     let lists = checklist::fill(&evidence);
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     match arguments.format {
         Format::Human => human(&mut out, &lists)?,
         Format::Json => json(&mut out, &lists)?,
         Format::Markdown => markdown(&mut out, &lists)?,
     }
-    let refused = lists.iter().flat_map(|list| &list.lines).any(|line| line.answer == Answer::No);
-    Ok(ExitCode::from(u8::from(refused)))
-}
-
-fn word(answer: Answer) -> &'static str {
-    match answer {
-        Answer::Yes => "yes",
-        Answer::No => "no",
-        Answer::Person => "person",
+    if read.is_unreadable() {
+        let (path, summary) = (arguments.file.display(), findings::summary(read.count()));
+        terminal::tell(format_args!("{path}: not read as a whole: {summary} (twinrung check {path} shows them)"));
+        return Ok(ExitCode::from(exit::UNREADABLE));
     }
+    let refused = lists.iter().flat_map(|list| &list.lines).any(|line| line.answer == Answer::No);
+    Ok(if refused { ExitCode::from(exit::REFUSED) } else { ExitCode::SUCCESS })
 }
 
 fn count(lists: &[checklist::Checklist], answer: Answer) -> usize {
@@ -104,18 +102,17 @@ fn human(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> 
 }
 
 fn markdown(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> {
-    // A bar would end the cell.
-    let cell = |text: &str| text.replace('|', "\\|");
     for list in lists {
-        writeln!(out, "## {}: {}\n", list.title, cell(&list.subject))?;
+        writeln!(out, "## {}: {}\n", list.title, escaped(&list.subject))?;
         writeln!(out, "1756-RM093 Appendix D, page {}\n", list.page)?;
         writeln!(out, "| | requirement | fulfilled | evidence and comment |\n|---|---|---|---|")?;
         for line in &list.lines {
             let answer = match line.answer {
+                Answer::Yes => "yes",
+                Answer::No => "no",
                 Answer::Person => "",
-                answered => word(answered),
             };
-            let evidence: Vec<String> = line.evidence.iter().map(|text| cell(text)).collect();
+            let evidence: Vec<String> = line.evidence.iter().map(|text| escaped(text)).collect();
             writeln!(out, "| {} | {} | {answer} | {} |", line.number, line.requirement, evidence.join("<br>"))?;
         }
         writeln!(out)?;
@@ -125,48 +122,15 @@ fn markdown(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<(
 
 #[derive(Serialize)]
 struct Json<'a> {
-    checklists: Vec<JsonList<'a>>,
+    checklists: &'a [checklist::Checklist],
     yes: usize,
     no: usize,
     person: usize,
 }
 
-#[derive(Serialize)]
-struct JsonList<'a> {
-    title: &'a str,
-    page: u32,
-    subject: &'a str,
-    lines: Vec<JsonLine<'a>>,
-}
-
-#[derive(Serialize)]
-struct JsonLine<'a> {
-    number: u32,
-    requirement: &'a str,
-    answer: &'static str,
-    evidence: &'a [String],
-}
-
 fn json(out: &mut dyn Write, lists: &[checklist::Checklist]) -> io::Result<()> {
     let json = Json {
-        checklists: lists
-            .iter()
-            .map(|list| JsonList {
-                title: list.title,
-                page: list.page,
-                subject: &list.subject,
-                lines: list
-                    .lines
-                    .iter()
-                    .map(|line| JsonLine {
-                        number: line.number,
-                        requirement: line.requirement,
-                        answer: word(line.answer),
-                        evidence: &line.evidence,
-                    })
-                    .collect(),
-            })
-            .collect(),
+        checklists: lists,
         yes: count(lists, Answer::Yes),
         no: count(lists, Answer::No),
         person: count(lists, Answer::Person),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -12,10 +12,8 @@ use twinrung_bytecode::index::{ProgramIndex, RoutineIndex};
 use twinrung_bytecode::signature::{Leaf, LeafKind, leaves, short_form};
 use twinrung_bytecode::text;
 
-use crate::failed;
-use crate::findings::{self, Count};
-use crate::input::{self, Complete, Input, Loaded};
-use crate::terminal::Terminal;
+use crate::input::{self, Complete};
+use crate::{exit, terminal};
 
 /// Arguments of `diff`.
 #[derive(Debug, Args)]
@@ -31,11 +29,10 @@ pub struct Diff {
 
 /// Compares.
 pub fn run(arguments: &Diff) -> io::Result<ExitCode> {
-    let mut out = io::stdout().lock();
-    let (Some(a), Some(b)) =
-        (open(&mut out, &arguments.a, &arguments.complete)?, open(&mut out, &arguments.b, &arguments.complete)?)
-    else {
-        return Ok(ExitCode::from(crate::UNREADABLE));
+    let mut out = terminal::out();
+    let mut image = |path| input::image(&mut out, path, &arguments.complete, "");
+    let (Ok(a), Ok(b)) = (image(&arguments.a)?, image(&arguments.b)?) else {
+        return Ok(ExitCode::from(exit::UNREADABLE));
     };
     let (one, other) = (a.image.application_signature(), b.image.application_signature());
     if one == other {
@@ -47,21 +44,7 @@ pub fn run(arguments: &Diff) -> io::Result<ExitCode> {
     }
     writeln!(out, "safety application signatures {} and {}", short_form(one), short_form(other))?;
     changes(&mut out, &a.image, &b.image)?;
-    Ok(ExitCode::from(1))
-}
-
-fn open(out: &mut dyn Write, path: &Path, complete: &Complete) -> io::Result<Option<Loaded>> {
-    match input::open(path, complete).map_err(failed)? {
-        Input::Image(loaded) => Ok(Some(*loaded)),
-        Input::Project(read) => match &read.project {
-            Some(project) => input::compiled(project).map(|(_, loaded)| Some(loaded)).map_err(failed),
-            None => {
-                findings::print_human(out, &read.report(), Terminal::of_stdout(), false)?;
-                writeln!(out, "{}: {}", path.display(), findings::summary(Count::of(&read.findings)))?;
-                Ok(None)
-            }
-        },
-    }
+    Ok(ExitCode::from(exit::REFUSED))
 }
 
 /// Leaves by kind and name, in the order in which a reviewer wants them: logic, task, modules, map, then data.

@@ -7,7 +7,8 @@ use clap::Args;
 use twinrung_catalog::Instruction;
 use twinrung_workbench::pages::{Page, codes, findings, instruction};
 
-use crate::terminal::Terminal;
+use crate::exit;
+use crate::terminal::{self, Terminal};
 
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
@@ -35,12 +36,12 @@ pub fn run(arguments: &Explain) -> io::Result<ExitCode> {
     match page {
         Ok(page) => {
             let columns = Terminal::of_stdout().columns.min(COLUMNS_MAX);
-            io::stdout().write_all(page.terminal(columns).as_bytes())?;
+            terminal::out().write_all(page.terminal(columns).as_bytes())?;
             Ok(ExitCode::SUCCESS)
         }
         Err(message) => {
-            eprintln!("{message}");
-            Ok(ExitCode::from(crate::UNREADABLE))
+            terminal::tell(format_args!("{message}"));
+            Ok(ExitCode::from(exit::UNREADABLE))
         }
     }
 }

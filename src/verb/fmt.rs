@@ -10,7 +10,7 @@ use twinrung_grammar::tree::Sources;
 use twinrung_grammar::{print_file, read_path};
 
 use crate::findings;
-use crate::terminal::Terminal;
+use crate::terminal::{self, Terminal};
 use crate::{failed, files};
 
 /// Arguments of `fmt`.
@@ -57,21 +57,21 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
         let found: Vec<_> = reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding).collect();
         let trees = std::slice::from_ref(&reading.file);
         let report = findings::Report { sources: &sources, trees, findings: &found };
-        findings::print_human(&mut io::stderr(), &report, Terminal::of_stdout(), true)?;
+        findings::print_human(&mut terminal::err(), &report, Terminal::of_stdout(), true)?;
         return Err(failed(Unformatted(path.display().to_string())));
     }
     let after = print_file(&reading.file);
     let is_rll = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll"));
     if !is_rll {
-        io::stdout().write_all(after.as_bytes())?;
+        terminal::out().write_all(after.as_bytes())?;
         return Ok(false);
     }
     let changed = after.as_bytes() != before;
     if changed && check {
-        println!("{}: not in canonical form", path.display());
+        writeln!(terminal::out(), "{}: not in canonical form", path.display())?;
     } else if changed {
         files::write_whole(path, after.as_bytes())?;
-        println!("{}: rewritten", path.display());
+        writeln!(terminal::out(), "{}: rewritten", path.display())?;
     }
     Ok(changed)
 }

@@ -15,7 +15,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Subject, ran, replay, size_of};
 use twinrung_workbench::generate::Size;
 
-use crate::{failed, files};
+use crate::{failed, files, input, terminal};
 
 /// The evaluators that run against each other.
 #[cfg(not(feature = "judge"))]
@@ -89,17 +89,14 @@ pub fn run(arguments: &Fuzz) -> io::Result<ExitCode> {
 }
 
 fn again(path: &Path) -> io::Result<ExitCode> {
-    let read = |path: &Path| {
-        fs::read_to_string(path).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
-    };
-    let text = read(path)?;
+    let text = input::text(path)?;
     let inputs = path.with_extension("csv");
-    let csv = read(&inputs)?;
+    let csv = input::text(&inputs)?;
     let subject = Subject::from_text(&text)
         .map_err(|findings| io::Error::other(format!("{}: {}", path.display(), findings.join("\n"))))?;
     let case = Case::read(text, &csv, &subject.image)
         .map_err(|error| io::Error::other(format!("{}: {error}", inputs.display())))?;
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     match replay::<Contest>(&case.text, &case.stimulus) {
         Outcome::Agreed(counts) => {
             writeln!(out, "{}: {} steps, no difference", path.display(), counts.scans)?;
@@ -184,7 +181,7 @@ fn written(folder: &Path, campaign: &Campaign) -> io::Result<()> {
 }
 
 fn summary(arguments: &Fuzz, campaign: &Campaign, took: Duration) -> io::Result<ExitCode> {
-    let mut out = io::stdout().lock();
+    let mut out = terminal::out();
     for failure in &campaign.failures {
         writeln!(out, "{failure}\n")?;
     }

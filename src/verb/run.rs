@@ -1,13 +1,11 @@
 //! `twinrung run`: scans on both interpreters, every tag compared, outputs recorded.
 
-use std::fs;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{MajorFault, Place};
 use twinrung_bytecode::image::Image;
@@ -20,10 +18,10 @@ use twinrung_workbench::difference;
 use twinrung_workbench::run::default_names;
 use twinrung_workbench::{Outcome, Recording, Run as Session, Stimulus};
 
-use crate::findings;
-use crate::input::{self, Complete, Input, Loaded};
-use crate::terminal::Terminal;
-use crate::{failed, files};
+use crate::input::{self, Complete, Required};
+use crate::progress::with_progress;
+use crate::terminal::{self, Terminal};
+use crate::{exit, failed, files};
 
 /// Arguments of `run`.
 #[derive(Debug, Args)]
@@ -45,17 +43,13 @@ pub struct Run {
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
     /// Time of the last scan in ms; without it some periods after the stimulus's last row
-    #[arg(long, value_name = "MS")]
+    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(..=UNTIL_MS_MAX))]
     until: Option<u64>,
-    /// Refuse to run a program with another safety application signature
-    #[arg(long, value_name = "SIGNATURE")]
-    expect: Option<String>,
-    /// Refuse an image whose bound in instructions is above the budget of its watchdog
-    #[arg(long)]
-    require_bound: bool,
     /// Draw no timing diagram
     #[arg(long)]
     quiet: bool,
+    #[command(flatten)]
+    required: Required,
     #[command(flatten)]
     complete: Complete,
 }
@@ -64,23 +58,21 @@ pub struct Run {
 const PERIODS_AFTER_STIMULUS: u64 = 10;
 /// Rows of a diagram that was not asked for name by name.
 const DIAGRAM_ROWS: usize = 40;
-/// A run shorter than this shows no progress bar.
-const PROGRESS_AFTER: Duration = Duration::from_millis(500);
-
-const REFUSED: u8 = 1;
-const NONRECOVERABLE: u8 = 3;
-const RECOVERABLE: u8 = 4;
+/// The latest end of a run in ms: time stamps have room for it, and nobody waits for it.
+const UNTIL_MS_MAX: u64 = 1_000_000_000_000;
 
 /// Runs.
 pub fn run(arguments: &Run) -> io::Result<ExitCode> {
-    let terminal = Terminal::of_stdout();
-    let Some(loaded) = loaded(arguments, terminal)? else { return Ok(ExitCode::from(REFUSED)) };
-    input::expect(&loaded, arguments.expect.as_deref()).map_err(failed)?;
-    if let (true, Err(error)) = (arguments.require_bound, input::require_bound(&loaded)) {
-        println!("{error}; nothing was run");
-        return Ok(ExitCode::from(REFUSED));
+    let mut out = terminal::out();
+    let loaded = match input::image(&mut out, &arguments.file, &arguments.complete, "; nothing was run")? {
+        Ok(loaded) => loaded,
+        Err(code) => return Ok(code),
+    };
+    if let Err(error) = arguments.required.check(&loaded) {
+        writeln!(out, "{error}; nothing was run")?;
+        return Ok(ExitCode::from(exit::REFUSED));
     }
-    let stimulus = stimulus(arguments)?;
+    let stimulus = input::stimulus(&arguments.file, arguments.stimulus.as_deref())?;
     let beside = arguments.file.join("record.txt");
     let names = match &arguments.record {
         Some(list) => listed(list)?,
@@ -100,8 +92,8 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
         .unwrap_or_else(|| stimulus.as_ref().map_or(0, Stimulus::last_ms) + PERIODS_AFTER_STIMULUS * period_ms);
     let begun = Instant::now();
     let outcome = with_progress(until_ms / period_ms + 1, |progress| session.until(until_ms, progress));
-    let mut out = io::stdout().lock();
     if !arguments.quiet {
+        let terminal = Terminal::of_stdout();
         writeln!(
             out,
             "safety application {signature}, one scan every {period_ms} ms, both channels compared after each\n"
@@ -117,45 +109,9 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
     report(&mut out, session.controller().image(), &outcome, begun.elapsed())
 }
 
-fn loaded(arguments: &Run, terminal: Terminal) -> io::Result<Option<Loaded>> {
-    match input::open(&arguments.file, &arguments.complete).map_err(failed)? {
-        Input::Image(loaded) => Ok(Some(*loaded)),
-        Input::Project(read) => {
-            let Some(project) = &read.project else {
-                findings::print_human(&mut io::stdout(), &read.report(), terminal, false)?;
-                let count = findings::Count::of(&read.findings);
-                println!("{}: {}; nothing was run", arguments.file.display(), findings::summary(count));
-                return Ok(None);
-            };
-            let count = findings::Count::of(&read.findings);
-            if count.warnings + count.suppressed > 0 {
-                let path = arguments.file.display();
-                eprintln!("{path}: {} (twinrung check {path} shows them)", findings::summary(count));
-            }
-            input::compiled(project).map(|(_, loaded)| Some(loaded)).map_err(failed)
-        }
-    }
-}
-
-fn stimulus(arguments: &Run) -> io::Result<Option<Stimulus>> {
-    let beside = arguments.file.join("stimulus.csv");
-    let path = match &arguments.stimulus {
-        Some(path) => path,
-        None if beside.is_file() => &beside,
-        None => return Ok(None),
-    };
-    let text = read_text(path)?;
-    let stimulus = Stimulus::read(&text).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))?;
-    Ok(Some(stimulus))
-}
-
-fn read_text(path: &Path) -> io::Result<String> {
-    fs::read_to_string(path).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
-}
-
 fn listed(list: &str) -> io::Result<Vec<String>> {
     let Some(path) = list.strip_prefix('@') else { return Ok(split_names(list)) };
-    let text = read_text(Path::new(path))?;
+    let text = input::text(Path::new(path))?;
     Ok(text
         .lines()
         .map(str::trim)
@@ -183,32 +139,12 @@ fn split_names(list: &str) -> Vec<String> {
     names.into_iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()
 }
 
-fn with_progress(scans: u64, run: impl FnOnce(&mut dyn FnMut(u64)) -> Outcome) -> Outcome {
-    let bar = ProgressBar::with_draw_target(Some(scans), ProgressDrawTarget::hidden());
-    bar.set_style(
-        ProgressStyle::with_template("{bar:40} {pos}/{len} scans, {per_sec}, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar()),
-    );
-    let begun = Instant::now();
-    let mut shown = !io::stderr().is_terminal();
-    let outcome = run(&mut |done| {
-        if !shown && done.is_multiple_of(256) && begun.elapsed() > PROGRESS_AFTER {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-            shown = true;
-        }
-        if done.is_multiple_of(256) {
-            bar.set_position(done);
-        }
-    });
-    bar.finish_and_clear();
-    outcome
-}
-
 fn write_recording(path: &Path, recording: &Recording) -> io::Result<()> {
     files::write_whole(path, recording.to_csv().as_bytes())
 }
 
 fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: Duration) -> io::Result<ExitCode> {
+    let code = exit::of_scans(outcome.stopped.map(|(_, _, reason)| reason));
     let Some((scan, time_ms, reason)) = outcome.stopped else {
         writeln!(
             out,
@@ -217,18 +153,15 @@ fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: D
             outcome.instructions_max,
             took.as_millis()
         )?;
-        return Ok(ExitCode::SUCCESS);
+        return Ok(code);
     };
-    let (fault_type, code) = reason.type_and_code();
+    let (fault_type, fault_code) = reason.type_and_code();
     writeln!(
         out,
-        "stopped in scan {scan} at {time_ms} ms, outputs off: fault {fault_type}/{code}, {}",
+        "stopped in scan {scan} at {time_ms} ms, outputs off: fault {fault_type}/{fault_code}, {}",
         explained(image, reason)
     )?;
-    Ok(ExitCode::from(match reason {
-        StopReason::Safety(_) => NONRECOVERABLE,
-        StopReason::Recoverable(_) => RECOVERABLE,
-    }))
+    Ok(code)
 }
 
 fn explained(image: &AdmittedImage, reason: StopReason) -> String {

@@ -10,10 +10,8 @@ use twinrung_bytecode::index::RoutineIndex;
 use twinrung_bytecode::signature::{leaves, long_form, short_form};
 use twinrung_bytecode::{container, text};
 
-use crate::failed;
-use crate::findings::{self, Count};
-use crate::input::{self, Complete, Input, Loaded};
-use crate::terminal::Terminal;
+use crate::input::{self, Complete, Loaded};
+use crate::terminal;
 
 /// Arguments of `show`.
 #[derive(Debug, Args)]
@@ -44,17 +42,10 @@ enum What {
 
 /// Shows.
 pub fn run(arguments: &Show) -> io::Result<ExitCode> {
-    let mut out = io::stdout().lock();
-    let loaded = match input::open(&arguments.file, &arguments.complete).map_err(failed)? {
-        Input::Image(loaded) => *loaded,
-        Input::Project(read) => {
-            let Some(project) = &read.project else {
-                findings::print_human(&mut out, &read.report(), Terminal::of_stdout(), false)?;
-                writeln!(out, "{}: {}", arguments.file.display(), findings::summary(Count::of(&read.findings)))?;
-                return Ok(ExitCode::from(1));
-            };
-            input::compiled(project).map_err(failed)?.1
-        }
+    let mut out = terminal::out();
+    let loaded = match input::image(&mut out, &arguments.file, &arguments.complete, "")? {
+        Ok(loaded) => loaded,
+        Err(code) => return Ok(code),
     };
     let wanted = |what| arguments.only.is_none_or(|only| only == what);
     if wanted(What::Signatures) {

@@ -3,10 +3,13 @@
 
 use std::path::Path;
 use std::process::Command;
+use std::time::Duration;
 
 use twinrung_catalog::Opcode;
 use twinrung_trio::Subject as Trial;
-use twinrung_workbench::bench::{Driven, Measurement, Plan, Report, estimate, measure, page, picture};
+use twinrung_workbench::bench::{
+    Distribution, Driven, Measurement, Plan, Report, estimate, measure, page, picture, scans_in_all,
+};
 use twinrung_workbench::instruction_rungs::{Literals, Subject, project};
 use twinrung_workbench::mix::{Mix, Program, Toggles};
 
@@ -45,19 +48,116 @@ fn bench_when_a_sample_is_driven_at_random_then_all_inputs_are_off_and_on_and_th
     assert!(coverage.bools > 0);
     assert_eq!(coverage.both_truths, coverage.bools);
     assert!(report.max_instructions <= report.bound_instructions, "{report:#?}");
+    let prescan = report.prescan_instructions.unwrap();
+    assert!(0 < prescan && prescan <= report.bound_prescan_instructions, "{report:#?}");
     let counted: u64 = report.programs.iter().map(|program| program.max_instructions).sum();
     assert_eq!(counted, report.max_instructions, "the observer counts what `executed` counts");
 }
 
+/// A report in which every scan took so long.
+fn report_of(scan: Duration) -> Report {
+    let (measurement, _) = sample();
+    let (image, _) = image_of(&read_whole(&project_path("samples/estop-with-contactors")));
+    let mut whole = Distribution::new().unwrap();
+    (0..measurement.scans).for_each(|_| whole.record(scan));
+    Report::new(&image, &Measurement { whole, ..measurement }, None)
+}
+
 #[test]
 fn bench_report_when_drawn_then_picture_and_page_say_what_the_watchdog_could_be() {
-    let (_, report) = sample();
+    let report = report_of(Duration::from_micros(1600));
     let verdict = report.verdict();
-    assert!(verdict.contains("the watchdog could be set to"), "{verdict}");
+    let possible =
+        "On this machine the watchdog could be set to 4 ms (2 times the slowest scan, in whole milliseconds).";
+    assert!(verdict.ends_with(possible), "{verdict}");
     assert!(picture(&report, 100).ends_with(&format!("{verdict}\n")));
     let page = page(&report);
-    assert!(page.contains("<svg") && page.contains("</html>"));
+    assert!(page.contains("<svg") && page.contains("</html>") && page.contains(possible));
     assert!(!page.contains("http"), "the page needs nothing from elsewhere");
+}
+
+#[test]
+fn bench_report_when_twice_the_slowest_scan_is_longer_than_the_period_then_no_watchdog_can_be_set() {
+    let verdict = report_of(Duration::from_millis(12)).verdict();
+    assert!(verdict.contains("longer than the watchdog of 10.0 ms."), "{verdict}");
+    assert!(verdict.ends_with("A watchdog of 24 ms would be needed (2 times the slowest scan, in whole milliseconds), and the period is 20 ms."), "{verdict}");
+}
+
+#[test]
+fn bench_report_when_nothing_can_be_calibrated_then_the_measurement_is_shown_with_the_reason() {
+    let (measurement, _) = sample();
+    let (image, _) = image_of(&read_whole(&project_path("samples/estop-with-contactors")));
+    let report = Report::new(&image, &measurement, Some(Err("the reason".to_owned())));
+    let said = "No time is estimated for the longest path: the reason";
+    assert!(picture(&report, 100).contains(said) && page(&report).contains(said));
+    assert_eq!((report.scans, report.estimate.is_none()), (300, true));
+}
+
+#[test]
+fn bench_report_when_no_scan_was_measured_then_no_watchdog_is_proposed() {
+    let (image, _) = image_of(&read_whole(&project_path("samples/estop-with-contactors")));
+    let (measurement, _) = sample();
+    let report = Report::new(&image, &Measurement { scans: 0, ..measurement }, None);
+    assert_eq!(report.possible_watchdog_ms, None);
+    assert!(report.verdict().starts_with("No scan was measured"), "{}", report.verdict());
+}
+
+/// Measures a project of one controller, from its text.
+fn measured_text(text: &str, plan: &Plan) -> (Measurement, Report) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("project.rll");
+    std::fs::write(&path, text).unwrap();
+    measured(&path, plan)
+}
+
+const CALLS: &str = "CONTROLLER Calls (ProcessorType := \"1756-L73S\", Major := 20)\n\
+     ADD_ON_INSTRUCTION_DEFINITION Idle (Class := Safety)\nPARAMETERS\nEND_PARAMETERS\nLOCAL_TAGS\nEND_LOCAL_TAGS\n\
+     ROUTINE Logic\nN: NOP()NOP()NOP();\nN: NOP();\nEND_ROUTINE\nEND_ADD_ON_INSTRUCTION_DEFINITION\n\
+     TAG\nA : BOOL (Class := Safety);\nB : BOOL (Class := Safety);\nI : Idle (Class := Safety);\nEND_TAG\n\
+     PROGRAM P (Class := Safety, MAIN := \"Main\")\n\
+     ROUTINE Main\nN: XIC(A)JSR(Sub,0)XIC(A)XIO(A)OTE(B);\nN: Idle(I)NOP();\nEND_ROUTINE\n\
+     ROUTINE Sub\nN: NOP()NOP();\nEND_ROUTINE\nEND_PROGRAM\n\
+     TASK Safety (Type := PERIODIC, Class := Safety, Rate := 10, Watchdog := 10, Priority := 5)\nP;\nEND_TASK\n\
+     END_CONTROLLER\n";
+
+#[test]
+fn bench_when_subroutines_and_add_on_instructions_are_called_then_each_instruction_counts_to_its_own_rung() {
+    let plan = Plan { scans: 20, warm_up: 0, ..Plan::default() };
+    let (measurement, report) = measured_text(CALLS, &plan);
+    let mut rungs: Vec<(String, Vec<u64>)> =
+        report.routines.iter().map(|row| row.routine.clone()).zip(measurement.counts.rungs).collect();
+    rungs.sort();
+    let expected = [("Idle/Logic", vec![3, 1]), ("P/Main", vec![5, 2]), ("P/Sub", vec![2])];
+    assert_eq!(rungs, expected.map(|(name, counts)| (name.to_owned(), counts)));
+}
+
+#[test]
+fn bench_report_when_a_rung_was_not_reached_then_its_longest_path_is_listed_all_the_same() {
+    let text = CALLS.replace("N: XIC(A)JSR(Sub,0)", "N: XIC(S:FS)JSR(Sub,0)");
+    let plan = Plan { scans: 20, warm_up: 0, ..Plan::default() };
+    let (measurement, without) = measured_text(&text, &plan);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("project.rll");
+    std::fs::write(&path, &text).unwrap();
+    let (image, _) = image_of(&read_whole(&path));
+    let report = Report::new(&image, &measurement, Some(estimate(&image)));
+    let listed = |report: &Report| report.most_expensive_rungs.iter().any(|row| row.routine == "P/Sub");
+    assert_eq!((listed(&without), listed(&report)), (false, true));
+}
+
+#[test]
+fn bench_when_the_random_inputs_have_one_seed_then_they_are_the_same() {
+    let seeded = |seed| {
+        let plan = Plan { scans: 60, warm_up: 0, inputs: Driven::Random(seed), realtime: false };
+        let (measurement, _) = measured(&project_path("samples/locked-gate/project.rll"), &plan);
+        (measurement.counts, measurement.coverage, measurement.instructions_max)
+    };
+    assert_eq!(seeded(5), seeded(5));
+}
+
+#[test]
+fn scans_in_all_when_the_plan_is_as_long_as_can_be_then_nothing_overflows() {
+    assert_eq!(scans_in_all(&Plan { scans: u64::MAX, ..Plan::default() }), u64::MAX);
 }
 
 #[test]

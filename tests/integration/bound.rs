@@ -144,7 +144,7 @@ fn bound_of_a_prescan_when_subroutines_are_called_in_loops_then_each_is_visited_
 
 /// An Add-On Instruction whose Prescan routine jumps back as long as `Again` is set, and that has a file instruction.
 const LOOPS_IN_PRESCAN: &str = "ADD_ON_INSTRUCTION_DEFINITION Loops (Class := Safety, ExecutePrescan := Yes)\nPARAMETERS\n\
-     Again : BOOL (Usage := Input, RequiredFlag := Yes, Visible := Yes);\nEND_PARAMETERS\nLOCAL_TAGS\nHeld : BOOL;\n\
+     Again : BOOL (Usage := Input, Required := Yes, Visible := Yes);\nEND_PARAMETERS\nLOCAL_TAGS\nHeld : BOOL;\n\
      END_LOCAL_TAGS\nROUTINE Logic\nN: NOP()OTE(Held);\nEND_ROUTINE\nROUTINE Prescan\nN: LBL(back)NOP();\n\
      N: XIC(Again)XIC(Again)JMP(back);\nEND_ROUTINE\nEND_ADD_ON_INSTRUCTION_DEFINITION\n";
 

@@ -95,3 +95,59 @@ fn checklists_when_nobody_watches_a_connection_then_line_3_of_its_inputs_says_no
     };
     assert_eq!((count(sample), count(&path)), (0, 1));
 }
+
+/// What stands beside a line of the lists for one channel.
+fn evidence(json: &str, channel: &str, number: u64) -> Vec<String> {
+    let json: serde_json::Value = serde_json::from_str(json).unwrap();
+    let lists = json["checklists"].as_array().unwrap();
+    let list = lists.iter().find(|list| list["subject"].as_str().unwrap().ends_with(channel)).unwrap();
+    let line = list["lines"].as_array().unwrap().iter().find(|line| line["number"] == number).unwrap();
+    line["evidence"].as_array().unwrap().iter().map(|text| text.as_str().unwrap().to_owned()).collect()
+}
+
+/// A project with two output modules; what stands on its rungs, and what is declared before its tags.
+fn two_outputs(add_on: &str, tags: &str, rungs: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("project.rll");
+    let module = |name: &str, catalog: &str, slot: u32| {
+        format!(
+            "MODULE {name} (CatalogNumber := \"{catalog}\", Parent := \"Rack\", Slot := {slot}, \
+             SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE\n"
+        )
+    };
+    let text = format!(
+        "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n\
+         MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n\
+         {}{}{}{add_on}TAG\nA : BOOL (Class := Safety);\n{tags}END_TAG\nPROGRAM P (Class := Safety, MAIN := \"Main\")\n\
+         ROUTINE Main\n{rungs}\nEND_ROUTINE\nEND_PROGRAM\n\
+         TASK T (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\nP;\nEND_TASK\nEND_CONTROLLER\n",
+        module("In", "1734-IB8S", 1),
+        module("Out", "1734-OB8S", 2),
+        module("Idle", "1734-OB8S", 3),
+    );
+    fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}
+
+const COPY: &str = "ADD_ON_INSTRUCTION_DEFINITION Copy (Class := Safety)\nPARAMETERS\n\
+     From : BOOL (Usage := Input, Required := Yes, Visible := Yes);\n\
+     To : BOOL (Usage := Output, Required := Yes, Visible := Yes);\nEND_PARAMETERS\nLOCAL_TAGS\nEND_LOCAL_TAGS\n\
+     ROUTINE Logic\nN: XIC(From)OTE(To);\nEND_ROUTINE\nEND_ADD_ON_INSTRUCTION_DEFINITION\n";
+
+#[test]
+fn checklists_when_an_add_on_instruction_writes_a_channel_then_it_is_written_and_not_read() {
+    let rungs = "N: Copy(C,In:I.Pt00Data,Out:O.Pt00Data);\nN: XIC(Out:O.Pt00Data)OTE(A);";
+    let (_folder, path) = two_outputs(COPY, "C : Copy (Class := Safety);\n", rungs);
+    let said = twinrung(&["checklist", &path, "--format", "json"]);
+    assert_eq!(evidence(&said.out, "Out:O.Pt00Data", 4), ["the logic writes the channel: P/Main rung 0"]);
+    assert_eq!(evidence(&said.out, "In:I.Pt00Data", 3)[0], "the logic uses the channel: P/Main rung 0");
+}
+
+#[test]
+fn checklists_when_another_module_is_not_written_then_that_is_no_evidence_for_this_one() {
+    let (_folder, path) = two_outputs("", "", "N: XIC(In:I.Pt00Data)OTE(Out:O.Pt00Data);");
+    let said = twinrung(&["checklist", &path, "--format", "json"]);
+    assert_eq!(evidence(&said.out, "Out:O.Pt01Data", 4), ["the logic writes the channel: nowhere"]);
+    assert_eq!(evidence(&said.out, "Out:O.Pt00Data", 4), ["the logic writes the channel: P/Main rung 0"]);
+}

@@ -1,6 +1,7 @@
 //! Tests of the whole: from files to recordings, through every crate. One binary, since linking is what takes time.
 
 mod bench;
+mod bench_command;
 mod bench_mixes;
 mod bound;
 mod certified_set;

@@ -46,6 +46,21 @@ pub(crate) fn cells(signal: Signal) -> Option<CellRange> {
     }
 }
 
+/// The cells of driven signals in the order of the signals, those of BOOLs that follow each other in one range: what is
+/// frozen is copied range by range.
+pub(crate) fn runs(signals: impl IntoIterator<Item = Signal>) -> Vec<CellRange> {
+    let mut runs: Vec<CellRange> = Vec::new();
+    for range in signals.into_iter().filter_map(cells) {
+        match runs.last_mut() {
+            Some(last) if range.word_cells == 0 && last.bit_cell + last.bit_cells == range.bit_cell => {
+                last.bit_cells += 1;
+            }
+            _ => runs.push(range),
+        }
+    }
+    runs
+}
+
 impl Drive {
     /// Looks up a stimulus, and has the controller copy what it drives in at the start of each scan.
     ///

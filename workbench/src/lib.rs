@@ -1,5 +1,5 @@
 //! What engineers do with a controller: drive it with a stimulus, record it, look at the timing diagram, measure it; and
-//! what they read about an instruction or a finding.
+//! what they read about an instruction or a finding, a rung drawn as ladder among it.
 //!
 //! It may use the catalog, the vectors, the compiler, the controller and, through it, both channels; it never executes logic
 //! itself, and it never writes a file: the command does.
@@ -15,6 +15,7 @@ pub mod drive;
 pub mod fuzz;
 pub mod generate;
 pub mod instruction_rungs;
+pub mod ladder;
 pub mod mix;
 pub mod names;
 pub mod pages;

@@ -31,6 +31,8 @@ pub enum RunError {
     Load(String),
     /// The period is not a whole number of milliseconds.
     Period(u32),
+    /// More scans than a measurement can have.
+    Scans(u64),
 }
 
 impl fmt::Display for RunError {
@@ -40,6 +42,9 @@ impl fmt::Display for RunError {
             RunError::Cell { line, error } => write!(f, "line {line}: {error}"),
             RunError::NoTask => f.write_str("the image has no safety task"),
             RunError::Load(error) => f.write_str(error),
+            RunError::Scans(scans) => {
+                write!(f, "{scans} scans are more than a measurement can have: {}", crate::bench::SCANS_MAX)
+            }
             RunError::Period(period_us) => {
                 write!(f, "a period of {period_us} us is not a whole number of milliseconds")
             }
@@ -133,7 +138,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
     /// Passes scan boundaries at 0, period, 2 x period, ... up to and including `until_ms`. `progress` is told after each
     /// scan how many there were.
     pub fn until(&mut self, until_ms: u64, mut progress: impl FnMut(u64)) -> Outcome {
-        let mut time_ms = self.outcome.scans * self.period_ms;
+        let mut time_ms = self.outcome.scans.saturating_mul(self.period_ms);
         while time_ms <= until_ms {
             self.drive.until(&mut self.controller, time_ms);
             let report = self.controller.scan(time_ms as i64);
@@ -172,14 +177,13 @@ pub fn default_names(image: &AdmittedImage, stimulus: Option<&Stimulus>, most: u
         }),
         TypeReference::Element(_) => false,
     });
-    for (index, tag) in instructions {
+    for (_, tag) in instructions {
         for member in ["O1", "O2", "FP", "FaultCode", "DiagnosticCode"] {
             let name = format!("{}.{member}", tag.name);
             if tag.program.is_none() && names::signal(image, &name).is_ok() {
                 found.push(name);
             }
         }
-        let _ = index;
     }
     for range in image.published() {
         let written = image.program_writes();

@@ -1,9 +1,10 @@
 //! Every instruction that can stand alone on a rung: a scan of 100 rungs that hold it, true and false in turn.
 
 use criterion::{Criterion, Throughput};
-use twinrung_benches::{PartClock, checked, controller, image};
+use twinrung_benches::{checked, controller, image};
 use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Opcode;
+use twinrung_workbench::bench::Stopwatch;
 use twinrung_workbench::instruction_rungs::{Literals, PERIOD_MS, Subject, project};
 use twinrung_workbench::{Signal, names};
 
@@ -38,7 +39,7 @@ pub fn benches(criterion: &mut Criterion) {
             }
             let mut scan = 0;
             bencher.iter_custom(|scans| {
-                let mut clock = PartClock::default();
+                let mut clock = Stopwatch::new(None);
                 let mut sum = std::time::Duration::ZERO;
                 for _ in 0..scans {
                     cells.iter().for_each(|cell| controller.drive_bit(*cell, scan % 2 == 0));

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
-use twinrung_benches::{PartClock, checked, checked_path, controller, image};
+use twinrung_benches::{checked, checked_path, controller, image};
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::observer::Silent;
 use twinrung_controller::{DualController, Part};
 use twinrung_workbench::bench::Inputs;
+use twinrung_workbench::bench::Stopwatch;
 use twinrung_workbench::mix::{Mix, PERIOD_MS, Program, Toggles};
 
 pub fn benches(criterion: &mut Criterion) {
@@ -81,7 +82,7 @@ impl Driven {
     }
 
     fn time(&mut self, scans: u64, of: impl Fn(&[Duration; 5]) -> Duration) -> Duration {
-        let mut clock = PartClock::default();
+        let mut clock = Stopwatch::new(None);
         let mut sum = Duration::ZERO;
         for _ in 0..scans {
             match &mut self.source {

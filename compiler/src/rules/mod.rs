@@ -64,7 +64,7 @@ macro_rules! rules {
     };
 }
 
-pub(crate) mod usage;
+pub mod usage;
 
 #[cfg(test)]
 mod testing;

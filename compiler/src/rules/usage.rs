@@ -1,14 +1,15 @@
 //! Who reads and writes what: every operand of every instruction as data that is read or written.
 
 use twinrung_bytecode::image::{TypeReference, Usage as Direction};
-use twinrung_catalog::{Opcode, OperandKind};
+use twinrung_catalog::{Access, Opcode, OperandKind};
 use twinrung_grammar::tree::Span;
 
 use crate::operand::{BitPlace, LocationBase, Operand, Reference, Shape};
 use crate::project::{AddOnId, Call, Instruction, Place, Project, RoutineId, RoutineOwner, Rung};
 
 /// One access to data.
-pub(crate) struct DataAccess<'a> {
+#[derive(Debug)]
+pub struct DataAccess<'a> {
     /// The instruction.
     pub instruction: &'a Instruction,
     /// Where it stands.
@@ -21,6 +22,8 @@ pub(crate) struct DataAccess<'a> {
     pub span: Span,
     /// What is accessed.
     pub reference: &'a Reference,
+    /// Whether its value is looked at.
+    pub reads: bool,
     /// Whether it can be written.
     pub writes: bool,
 }
@@ -41,7 +44,7 @@ pub(crate) type CellKey = (LocationBase, Option<AddOnId>, Cell);
 
 impl DataAccess<'_> {
     /// The single cell that is accessed; nothing for a region, or where a variable subscript selects.
-    pub fn cell(&self) -> Option<CellKey> {
+    pub(crate) fn cell(&self) -> Option<CellKey> {
         cell(self.reference).map(|cell| (self.reference.location.base, self.owner, cell))
     }
 }
@@ -79,7 +82,7 @@ pub(crate) fn instructions<'a>(project: &'a Project, visitor: &mut impl FnMut(Pl
 }
 
 /// Visits every access to data, those of subscripts and expressions included.
-pub(crate) fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataAccess<'a>)) {
+pub fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataAccess<'a>)) {
     let in_out = InOutWrites::of(project);
     instructions(project, &mut |place, instruction| {
         let owner = match project.routine(place.routine).owner {
@@ -87,16 +90,26 @@ pub(crate) fn accesses<'a>(project: &'a Project, visitor: &mut impl FnMut(&DataA
             RoutineOwner::Program(_) => None,
         };
         for (at, one) in instruction.operands.iter().enumerate() {
-            let writes = writes(project, &in_out, instruction, at);
-            let mut give = |reference: &'a Reference, writes: bool| {
-                visitor(&DataAccess { instruction, place, owner, operand: at, span: one.span, reference, writes });
+            let own = access(project, &in_out, instruction, at);
+            let mut give = |reference: &'a Reference, access: Access| {
+                let (reads, writes) = (access != Access::Write, access.writes());
+                visitor(&DataAccess {
+                    instruction,
+                    place,
+                    owner,
+                    operand: at,
+                    span: one.span,
+                    reference,
+                    reads,
+                    writes,
+                });
             };
             match project.operand(one.id) {
                 Operand::Reference(reference) => {
-                    within(reference, &mut |inner| give(inner, false));
-                    give(reference, writes);
+                    within(reference, &mut |inner| give(inner, Access::Read));
+                    give(reference, own);
                 }
-                Operand::Expression(expression) => of_expression(expression, &mut |inner| give(inner, false)),
+                Operand::Expression(expression) => of_expression(expression, &mut |inner| give(inner, Access::Read)),
                 _ => {}
             }
         }
@@ -158,7 +171,7 @@ impl InOutWrites {
                         for (at, one) in instruction.operands.iter().enumerate() {
                             let Operand::Reference(reference) = project.operand(one.id) else { continue };
                             let LocationBase::InOut(parameter) = reference.location.base else { continue };
-                            let writes = writes(project, &found, instruction, at);
+                            let writes = access(project, &found, instruction, at).writes();
                             if writes && !found.by_add_on[owner.position()][usize::from(parameter)] {
                                 added.push((owner, parameter));
                             }
@@ -176,39 +189,40 @@ impl InOutWrites {
     }
 }
 
-/// Whether an instruction can write its operand.
-fn writes(project: &Project, in_out: &InOutWrites, instruction: &Instruction, at: usize) -> bool {
+/// What an instruction can do with its operand.
+fn access(project: &Project, in_out: &InOutWrites, instruction: &Instruction, at: usize) -> Access {
     let declaration = match instruction.call {
         Call::Catalog(declaration) => declaration,
         Call::AddOn(add_on) => {
             if at == 0 {
-                return true;
+                return Access::ReadWrite;
             }
             let mut parameters = project.add_on(add_on).parameters.iter().enumerate().filter(|(_, one)| one.argument);
-            return parameters.nth(at - 1).is_none_or(|(position, parameter)| match parameter.usage {
-                Direction::Input => false,
-                Direction::Output => true,
-                Direction::InOut => in_out.by_add_on[add_on.position()][position],
+            return parameters.nth(at - 1).map_or(Access::ReadWrite, |(position, parameter)| match parameter.usage {
+                Direction::Input => Access::Read,
+                Direction::Output => Access::Write,
+                Direction::InOut if in_out.by_add_on[add_on.position()][position] => Access::ReadWrite,
+                Direction::InOut => Access::Read,
             });
         }
     };
-    let Some(declared) = declaration.operand(at) else { return false };
+    let Some(declared) = declaration.operand(at) else { return Access::Read };
     match declared.kind {
         OperandKind::Bit(access)
         | OperandKind::Number(access)
         | OperandKind::Integer(access)
         | OperandKind::Structure(_, access)
-        | OperandKind::SystemData(access) => access.writes(),
-        OperandKind::Resettable | OperandKind::CopyDestination | OperandKind::FillDestination => true,
+        | OperandKind::SystemData(access) => access,
+        OperandKind::Resettable | OperandKind::CopyDestination | OperandKind::FillDestination => Access::Write,
         OperandKind::Parameter(_) if declaration.opcode == Opcode::Jsr => {
             let inputs = match instruction.operands.get(1).map(|one| project.operand(one.id)) {
                 Some(Operand::Integer { value, .. }) => usize::try_from(*value).unwrap_or(0),
                 _ => 0,
             };
-            at >= 2 + inputs
+            if at >= 2 + inputs { Access::Write } else { Access::Read }
         }
-        OperandKind::Parameter(access) => access.writes(),
-        _ => false,
+        OperandKind::Parameter(access) => access,
+        _ => Access::Read,
     }
 }
 

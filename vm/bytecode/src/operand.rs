@@ -12,6 +12,7 @@ use crate::index::{AddOnIndex, EventTaskIndex, OperandIndex, RoutineIndex, Syste
 mod decode;
 
 pub use decode::DecodeError;
+pub(crate) use decode::whole_tag;
 
 /// One entry of the operand table.
 #[derive(Debug, Clone, PartialEq)]

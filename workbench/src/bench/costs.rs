@@ -6,18 +6,20 @@
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde::Serialize;
 use twinrung_bytecode::bound::{self, Bound, Work};
-use twinrung_bytecode::index::TagIndex;
+use twinrung_bytecode::index::BitCell;
 use twinrung_bytecode::observer::Silent;
-use twinrung_bytecode::{AdmittedImage, CellRange, admit};
+use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_catalog::Opcode;
 use twinrung_compiler::{Completion, check, compile};
-use twinrung_controller::{DualController, Part, ScanClock};
+use twinrung_controller::DualController;
 use twinrung_grammar::tree::Sources;
 
+use super::Stopwatch;
+use crate::drive::runs;
 use crate::instruction_rungs::{self, Literals, PERIOD_MS, Subject};
 use crate::names;
 use crate::signal::Signal;
@@ -57,50 +59,31 @@ pub struct CostRow {
 ///
 /// A calibration project that does not compile: a defect of ours.
 pub fn estimate(image: &AdmittedImage) -> Result<Estimate, String> {
-    let used: RefCell<BTreeMap<Key, Work>> = RefCell::default();
+    let used: RefCell<BTreeSet<Work>> = RefCell::default();
     bound::bound(image, &|work| {
-        used.borrow_mut().insert(Key::of(work), work);
+        used.borrow_mut().insert(work);
         0
     });
     let mut calibration = Calibration::new()?;
-    let mut costs: BTreeMap<Key, f64> = BTreeMap::new();
-    for (key, work) in used.into_inner() {
-        costs.insert(key, calibration.cost(work)?);
+    let mut costs: BTreeMap<Work, f64> = BTreeMap::new();
+    for work in used.into_inner() {
+        costs.insert(work, calibration.cost(work)?);
     }
-    let picoseconds = |work| costs.get(&Key::of(work)).map_or(0, |ns| (ns * 1000.0).round() as u64);
+    let picoseconds = |work| costs.get(&work).map_or(0, |ns| (ns * 1000.0).round() as u64);
     let picoseconds = bound::bound(image, &picoseconds);
     let mut rows = vec![CostRow { of: "scan".to_owned(), ns: calibration.scan_ns }];
-    rows.extend(costs.into_iter().map(|(key, ns)| CostRow { of: key.name(), ns }));
+    rows.extend(costs.into_iter().map(|(work, ns)| CostRow { of: name(work), ns }));
     let bound_ns = (picoseconds.total / 1000).saturating_add(calibration.scan_ns as u64);
     Ok(Estimate { bound_ns, costs: rows, picoseconds })
 }
 
-/// [`Work`] in an order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Key {
-    Rung,
-    AddOnCall,
-    Instruction(Opcode),
-    Element(Opcode),
-}
-
-impl Key {
-    fn of(work: Work) -> Key {
-        match work {
-            Work::Rung => Key::Rung,
-            Work::AddOnCall => Key::AddOnCall,
-            Work::Instruction(opcode) => Key::Instruction(opcode),
-            Work::FileElement(opcode) => Key::Element(opcode),
-        }
-    }
-
-    fn name(self) -> String {
-        match self {
-            Key::Rung => "rung".to_owned(),
-            Key::AddOnCall => "Add-On call".to_owned(),
-            Key::Instruction(opcode) => opcode.instruction().mnemonic.to_owned(),
-            Key::Element(opcode) => format!("{} element", opcode.instruction().mnemonic),
-        }
+/// What a row of costs is called.
+fn name(work: Work) -> String {
+    match work {
+        Work::Rung => "rung".to_owned(),
+        Work::AddOnCall => "Add-On call".to_owned(),
+        Work::Instruction(opcode) => opcode.instruction().mnemonic.to_owned(),
+        Work::FileElement(opcode) => format!("{} element", opcode.instruction().mnemonic),
     }
 }
 
@@ -194,18 +177,12 @@ fn timed(image: AdmittedImage, bytes: &[u8], rungs: usize) -> Result<f64, String
         }
     }
     let mut controller = DualController::load(image, bytes).map_err(|error| error.to_string())?;
-    let cells: BTreeSet<u32> = conditions.iter().map(|cell| cell.0).collect();
-    for bit_cell in cells {
-        controller.freeze_also(CellRange {
-            tag: TagIndex(u32::MAX),
-            bit_cell,
-            bit_cells: 1,
-            word_cell: 0,
-            word_cells: 0,
-        });
+    let cells: BTreeSet<BitCell> = conditions.iter().copied().collect();
+    for range in runs(cells.into_iter().map(Signal::Bit)) {
+        controller.freeze_also(range);
     }
     controller.power_up_in_run();
-    let mut clock = Execution::default();
+    let mut clock = Stopwatch::new(None);
     let mut times = [Vec::new(), Vec::new()];
     for scan in 0..SCANS {
         let truth = scan.is_multiple_of(2);
@@ -214,7 +191,9 @@ fn timed(image: AdmittedImage, bytes: &[u8], rungs: usize) -> Result<f64, String
         if let Some(reason) = report.stopped {
             return Err(format!("a calibration stopped: {reason:?}"));
         }
-        times[usize::from(truth)].push(clock.time);
+        // Both channels and the comparison.
+        let [_, primary, partner, compare, _] = clock.parts();
+        times[usize::from(truth)].push(primary + partner + compare);
     }
     let median = |times: &mut Vec<Duration>| {
         times.sort_unstable();
@@ -222,33 +201,4 @@ fn timed(image: AdmittedImage, bytes: &[u8], rungs: usize) -> Result<f64, String
     };
     let [mut off, mut on] = times;
     Ok(median(&mut off).max(median(&mut on)).as_nanos() as f64)
-}
-
-/// The time of both channels and the comparison.
-#[derive(Debug, Clone, Copy)]
-struct Execution {
-    begun: Instant,
-    time: Duration,
-}
-
-impl Default for Execution {
-    fn default() -> Execution {
-        Execution { begun: Instant::now(), time: Duration::ZERO }
-    }
-}
-
-impl ScanClock for Execution {
-    fn begin(&mut self) {}
-
-    fn ended(&mut self, part: Part) {
-        match part {
-            Part::Freeze => self.begun = Instant::now(),
-            Part::Compare => self.time = self.begun.elapsed(),
-            Part::Primary | Part::Partner | Part::Publish => {}
-        }
-    }
-
-    fn expired(&mut self) -> bool {
-        false
-    }
 }

@@ -21,6 +21,8 @@ pub(super) struct Counter {
     most: Counts,
     now: Counts,
     at: Option<Place>,
+    /// Executed, and not yet told by which element.
+    open: u64,
 }
 
 impl Counter {
@@ -30,7 +32,7 @@ impl Counter {
             routines: vec![0; image.image().routines.len()],
             programs: vec![0; image.image().programs.len()],
         };
-        Counter { most: empty.clone(), now: empty, at: None }
+        Counter { most: empty.clone(), now: empty, at: None, open: 0 }
     }
 
     pub(super) fn begin(&mut self) {
@@ -38,9 +40,11 @@ impl Counter {
         self.now.routines.fill(0);
         self.now.programs.fill(0);
         self.at = None;
+        self.open = 0;
     }
 
     pub(super) fn end(&mut self) {
+        self.settle();
         let keep = |most: &mut Vec<u64>, now: &[u64]| {
             most.iter_mut().zip(now).for_each(|(most, now)| *most = (*most).max(*now));
         };
@@ -51,6 +55,14 @@ impl Counter {
 
     pub(super) fn counts(self) -> Counts {
         self.most
+    }
+
+    /// What was executed is that of the place at hand.
+    fn settle(&mut self) {
+        let count = std::mem::take(&mut self.open);
+        if let Some(place) = self.at {
+            self.add(place, count);
+        }
     }
 
     fn add(&mut self, place: Place, count: u64) {
@@ -70,12 +82,18 @@ impl Counter {
 
 impl Observer for Counter {
     fn rung_entered(&mut self, place: Place) {
+        // A JSR, an Add-On call or a fault stands on the rung that is left here.
+        self.settle();
         self.at = Some(place);
     }
 
+    fn element_result(&mut self, place: Place, _: bool, _: bool) {
+        // The element may stand behind a JSR or an Add-On call: control has come back to its rung without entering it.
+        self.at = Some(place);
+        self.settle();
+    }
+
     fn instructions_retired(&mut self, count: u64) {
-        if let Some(place) = self.at {
-            self.add(place, count);
-        }
+        self.open += count;
     }
 }

@@ -26,6 +26,13 @@ pub struct Quantiles {
     pub max: u64,
 }
 
+impl Quantiles {
+    /// Each with its name.
+    pub(super) fn marks(self) -> [(&'static str, u64); 4] {
+        [("p50", self.p50), ("p99", self.p99), ("p99.9", self.p999), ("max", self.max)]
+    }
+}
+
 /// Some of the scans: those that took between two times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Bucket {

@@ -1,25 +1,25 @@
-//! Inputs at random: each BOOL input is seen off and on, and stays in motion.
+//! Inputs at random: each BOOL input is seen off and on, and stays in motion. One seed gives the same inputs everywhere.
 
 use std::collections::HashSet;
 
+use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::image::{TagKind, TagRecord, TypeKind, TypeReference};
 use twinrung_bytecode::index::TagIndex;
-use twinrung_bytecode::{AdmittedImage, CellRange};
 use twinrung_catalog::Element;
 use twinrung_controller::DualController;
 
-use crate::drive::cells;
+use crate::drive::runs;
 use crate::names;
 use crate::signal::Signal;
 
 /// One in so many BOOL inputs changes in each scan: the rate of the mixes that interpreters are compared on.
-const ONE_IN: u64 = 16;
+const ONE_IN: u32 = 16;
 
 /// The inputs of a project, and what drives them.
 pub struct Inputs {
     bits: Vec<Bit>,
     words: Vec<Signal>,
-    random: Random,
+    random: fastrand::Rng,
 }
 
 struct Bit {
@@ -66,7 +66,7 @@ impl Inputs {
         for range in runs(bits.iter().map(|bit| bit.signal)) {
             controller.freeze_also(range);
         }
-        Inputs { bits, words, random: Random::new(seed) }
+        Inputs { bits, words, random: fastrand::Rng::with_seed(seed) }
     }
 
     /// Sets the inputs for a scan: all off in the first, all on in the second, then one in 16 changes.
@@ -75,7 +75,7 @@ impl Inputs {
             bit.value = match scan {
                 0 => false,
                 1 => true,
-                _ => bit.value != self.random.one_in(ONE_IN),
+                _ => bit.value != (self.random.u32(..ONE_IN) == 0),
             };
             bit.seen[usize::from(bit.value)] = true;
             if let Signal::Bit(cell) = bit.signal {
@@ -84,9 +84,9 @@ impl Inputs {
         }
         for word in &self.words {
             if let Signal::Word(cell, element) = word
-                && self.random.one_in(ONE_IN)
+                && self.random.u32(..ONE_IN) == 0
             {
-                controller.drive_word(*cell, self.random.of_type(*element));
+                controller.drive_word(*cell, of_type(&mut self.random, *element));
             }
         }
     }
@@ -99,18 +99,6 @@ impl Inputs {
             numbers: self.words.len() as u64,
         }
     }
-}
-
-/// The cells of BOOL signals in ascending order, neighbours in one range: what is frozen is copied range by range.
-fn runs(signals: impl Iterator<Item = Signal>) -> Vec<CellRange> {
-    let mut runs: Vec<CellRange> = Vec::new();
-    for range in signals.filter_map(cells) {
-        match runs.last_mut() {
-            Some(last) if last.bit_cell + last.bit_cells == range.bit_cell => last.bit_cells += 1,
-            _ => runs.push(range),
-        }
-    }
-    runs
 }
 
 /// Whether a tag holds elementary types and user-defined types alone.
@@ -128,42 +116,20 @@ fn is_plain(image: &AdmittedImage, tag: &TagRecord) -> bool {
     true
 }
 
-/// Marsaglia's xorshift: the same values everywhere, and fast enough for many inputs.
-#[derive(Debug, Clone)]
-pub(super) struct Random(u64);
-
-impl Random {
-    pub(super) fn new(seed: u64) -> Random {
-        // Never 0, from which nothing else follows.
-        Random(seed.wrapping_mul(2).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15))
-    }
-
-    pub(super) fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0 >> 11
-    }
-
-    fn one_in(&mut self, many: u64) -> bool {
-        self.next().is_multiple_of(many)
-    }
-
-    /// The content of a cell: small values, the ends of the range, any value.
-    fn of_type(&mut self, element: Element) -> i32 {
-        let any = self.next() as i32;
-        let value = match self.next() % 4 {
-            0 => 0,
-            1 => any.rem_euclid(100),
-            2 => *[i32::MAX, i32::MIN, 1, -1].get((any & 3) as usize).unwrap_or(&0),
-            _ => any,
-        };
-        match element {
-            Element::Bool => value & 1,
-            Element::Sint => i32::from(value as i8),
-            Element::Int => i32::from(value as i16),
-            Element::Dint => value,
-            Element::Real => ((value % 100_000) as f32 / 8.0).to_bits() as i32,
-        }
+/// The content of a cell: small values, the ends of the range, any value.
+fn of_type(random: &mut fastrand::Rng, element: Element) -> i32 {
+    let any = random.i32(..);
+    let value = match random.u8(..4) {
+        0 => 0,
+        1 => random.i32(0..100),
+        2 => random.choice([i32::MAX, i32::MIN, 1, -1]).unwrap_or_default(),
+        _ => any,
+    };
+    match element {
+        Element::Bool => value & 1,
+        Element::Sint => i32::from(value as i8),
+        Element::Int => i32::from(value as i16),
+        Element::Dint => value,
+        Element::Real => ((value % 100_000) as f32 / 8.0).to_bits() as i32,
     }
 }

@@ -18,6 +18,7 @@ use std::time::{Duration, Instant};
 
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::bound::{self, Bound};
+use twinrung_bytecode::channel::Channel as _;
 use twinrung_bytecode::observer::Silent;
 use twinrung_controller::{DualController, StopReason};
 
@@ -28,6 +29,7 @@ pub use inputs::{Coverage, Inputs};
 pub use page::page;
 pub use picture::picture;
 pub use report::{Report, RoutineRow, RungRow};
+pub use stopwatch::Stopwatch;
 pub use units::time;
 
 use crate::drive::Drive;
@@ -35,7 +37,6 @@ use crate::mix::{self, Toggles};
 use crate::run::RunError;
 use crate::stimulus::Stimulus;
 use count::Counter;
-use stopwatch::Stopwatch;
 
 /// What to measure.
 #[derive(Debug, Clone)]
@@ -80,6 +81,8 @@ pub struct Measurement {
     pub lateness: Option<Distribution>,
     /// Most instructions that one channel executed in a scan.
     pub instructions_max: u64,
+    /// Instructions of the prescan; `None` where the measurement ended in its first scan.
+    pub prescan_instructions: Option<u64>,
     /// Instructions of each rung, in the scans that were observed.
     pub counts: Counts,
     /// The static bound in instructions.
@@ -90,10 +93,12 @@ pub struct Measurement {
     pub coverage: Option<Coverage>,
     /// The state after the last scan, in one number; for a generated program.
     pub hash: Option<u64>,
-    /// What reading the clock once costs, in ns; six readings are part of each scan.
+    /// What reading the clock once costs, in ns. It is read six times in each scan; five of these lie within the time measured.
     pub clock_ns: u64,
 }
 
+/// Most scans of a measurement: at the longest period their time still fits in a time stamp.
+pub const SCANS_MAX: u64 = 1_000_000_000_000;
 /// Scans that are observed to count instructions.
 const OBSERVED_SCANS: u64 = 200;
 /// How long before its time a scan in real time stops sleeping and waits awake: the scheduler's usual error.
@@ -134,7 +139,8 @@ impl Source {
 ///
 /// # Errors
 ///
-/// An image without a task, a period that is not a whole number of milliseconds, a stimulus that does not fit.
+/// An image without a task, a period that is not a whole number of milliseconds, a stimulus that does not fit, more than
+/// [`SCANS_MAX`] scans.
 pub fn measure(
     image: &AdmittedImage,
     bytes: &[u8],
@@ -144,6 +150,9 @@ pub fn measure(
     let task = image.image().task.as_ref().ok_or(RunError::NoTask)?;
     if !task.period_us.is_multiple_of(1000) {
         return Err(RunError::Period(task.period_us));
+    }
+    if plan.scans > SCANS_MAX {
+        return Err(RunError::Scans(plan.scans));
     }
     let (period_us, watchdog_us) = (u64::from(task.period_us), u64::from(task.watchdog_us));
     let distribution = || Distribution::new().map_err(|error| RunError::Load(error.to_string()));
@@ -182,6 +191,7 @@ pub fn measure(
         parts: [distribution()?, distribution()?, distribution()?, distribution()?, distribution()?],
         lateness: if plan.realtime { Some(distribution()?) } else { None },
         instructions_max: 0,
+        prescan_instructions: None,
         counts,
         bound: bound::instructions(image),
         stopped: None,
@@ -191,7 +201,7 @@ pub fn measure(
     };
     let mut stopwatch = Stopwatch::new(plan.realtime.then(|| Duration::from_micros(watchdog_us)));
     let begun = Instant::now();
-    for scan in 0..plan.warm_up + plan.scans {
+    for scan in 0..plan.warm_up.saturating_add(plan.scans) {
         let time_ms = scan * period_us / 1000;
         source.before(&mut controller, scan, time_ms);
         let late = plan.realtime.then(|| wait_until(begun + Duration::from_micros(scan * period_us)));
@@ -199,6 +209,11 @@ pub fn measure(
         if let Some(reason) = report.stopped {
             measurement.stopped = Some((scan, reason));
             break;
+        }
+        if scan == 0 {
+            // The first boundary prescans before it scans.
+            let executed = controller.channels_mut().0.status().executed;
+            measurement.prescan_instructions = Some(executed.saturating_sub(report.instructions));
         }
         measurement.instructions_max = measurement.instructions_max.max(report.instructions);
         if scan >= plan.warm_up {
@@ -221,7 +236,7 @@ pub fn measure(
 
 /// Scans that a plan makes in all, for a progress bar.
 pub fn scans_in_all(plan: &Plan) -> u64 {
-    plan.scans.min(OBSERVED_SCANS) + plan.warm_up + plan.scans
+    plan.scans.min(OBSERVED_SCANS).saturating_add(plan.warm_up).saturating_add(plan.scans)
 }
 
 /// Waits, the last of it awake. Answers with how late it is then.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
+use super::Report;
 use super::units::{count, time};
-use super::{Quantiles, Report};
 
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
 table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #d0d7de}\
@@ -36,13 +36,8 @@ pub fn page(report: &Report) -> String {
     if let Some(stopped) = &report.stopped {
         let _ = writeln!(out, "<p>Ended early in {}.</p>", escaped(stopped));
     }
-    if let Some(estimate) = &report.estimate {
-        let _ = writeln!(
-            out,
-            "<p>The longest path would take about {}: an estimate from costs measured on this machine, for this computer \
-             only.</p>",
-            time(estimate.bound_ns)
-        );
+    if let Some(longest) = report.longest_path() {
+        let _ = writeln!(out, "<p>{}</p>", escaped(&longest));
     }
     histogram(&mut out, report);
     parts(&mut out, report);
@@ -88,9 +83,7 @@ fn histogram(out: &mut String, report: &Report) {
     }
     let base = ABOVE + HEIGHT;
     let _ = writeln!(out, "<line class=\"axis\" x1=\"0\" y1=\"{base}\" x2=\"{WIDTH}\" y2=\"{base}\"/>");
-    let quantiles = &report.scan_ns;
-    let marks = [("p50", quantiles.p50), ("p99", quantiles.p99), ("p99.9", quantiles.p999), ("max", quantiles.max)];
-    for (index, (name, ns)) in marks.into_iter().enumerate() {
+    for (index, (name, ns)) in report.scan_ns.marks().into_iter().enumerate() {
         let (at, top) = (x(ns), 12.0 + 8.0 * index as f64);
         let _ = writeln!(
             out,
@@ -115,27 +108,12 @@ fn histogram(out: &mut String, report: &Report) {
 }
 
 fn parts(out: &mut String, report: &Report) {
-    out.push_str(
-        "<h2>Parts of a scan</h2>\n<table><tr><th></th><th>p50</th><th>p99</th><th>p99.9</th><th>max</th></tr>\n",
-    );
-    let mut row = |name: &str, quantiles: &Quantiles| {
-        let _ = writeln!(
-            out,
-            "<tr><td>{name}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            time(quantiles.p50),
-            time(quantiles.p99),
-            time(quantiles.p999),
-            time(quantiles.max)
-        );
-    };
-    row("scan", &report.scan_ns);
-    row("freeze", &report.freeze_ns);
-    row("primary", &report.primary_ns);
-    row("partner", &report.partner_ns);
-    row("comparison", &report.compare_ns);
-    row("publish", &report.publish_ns);
-    if let Some(jitter) = &report.jitter_ns {
-        row("began late by", jitter);
+    let heads = report.scan_ns.marks().map(|(name, _)| format!("<th>{name}</th>")).concat();
+    let _ = writeln!(out, "<h2>Parts of a scan</h2>\n<table><tr><th></th>{heads}</tr>");
+    let late = report.jitter_ns.map(|jitter| ("began late by", jitter));
+    for (name, quantiles) in std::iter::once(("scan", report.scan_ns)).chain(report.parts()).chain(late) {
+        let cells = quantiles.marks().map(|(_, ns)| format!("<td>{}</td>", time(ns))).concat();
+        let _ = writeln!(out, "<tr><td>{name}</td>{cells}</tr>");
     }
     out.push_str("</table>\n");
 }
@@ -159,6 +137,8 @@ fn instructions(out: &mut String, report: &Report) {
     };
     let whole = report.estimate.as_ref().map(|estimate| estimate.bound_ns);
     row("all", Some(report.rungs), report.max_instructions, report.bound_instructions, whole);
+    let prescanned = report.prescan_instructions.unwrap_or_default();
+    row("prescan", None, prescanned, report.bound_prescan_instructions, None);
     for program in &report.programs {
         row(&program.program, None, program.max_instructions, program.bound_instructions, program.estimated_ns);
     }

@@ -28,17 +28,13 @@ pub fn picture(report: &Report, columns: usize) -> String {
     histogram(&mut out, report, columns);
     parts(&mut out, report);
     instructions(&mut out, report, columns);
-    if let Some(estimate) = &report.estimate {
-        let _ = writeln!(
-            out,
-            "the longest path would take about {}: an estimate from costs measured on this machine, for this computer only",
-            time(estimate.bound_ns)
-        );
+    if let Some(longest) = report.longest_path() {
+        let _ = writeln!(out, "{longest}");
     }
     if let Some(inputs) = &report.inputs {
         let _ = writeln!(
             out,
-            "inputs at random: {} of {} BOOL inputs were off and on, {} numbers moved",
+            "Inputs at random: {} of {} BOOL inputs were off and on, {} numbers moved.",
             count(inputs.both_truths),
             count(inputs.bools),
             count(inputs.numbers)
@@ -46,14 +42,14 @@ pub fn picture(report: &Report, columns: usize) -> String {
     }
     let _ = writeln!(
         out,
-        "the clock was read 6 times in each scan, {} each; nothing is subtracted for it",
+        "The clock was read 6 times in each scan, {} each; nothing is subtracted for it.",
         time(report.clock_ns)
     );
     if let Some(hash) = &report.hash {
-        let _ = writeln!(out, "state after the last scan: {hash}");
+        let _ = writeln!(out, "State after the last scan: {hash}");
     }
     if let Some(stopped) = &report.stopped {
-        let _ = writeln!(out, "\nended early in {stopped}");
+        let _ = writeln!(out, "\nEnded early in {stopped}.");
     }
     let _ = writeln!(out, "\n{}", report.verdict());
     out
@@ -74,12 +70,7 @@ fn histogram(out: &mut String, report: &Report, columns: usize) {
     let lines = joined(&report.histogram, LINES);
     let greatest = lines.iter().map(|line| line.scans).max().unwrap_or(0).max(1);
     let width = columns.saturating_sub(BESIDE).max(10);
-    let marks = [
-        ("p50", report.scan_ns.p50),
-        ("p99", report.scan_ns.p99),
-        ("p99.9", report.scan_ns.p999),
-        ("max", report.scan_ns.max),
-    ];
+    let marks = report.scan_ns.marks();
     for (index, line) in lines.iter().enumerate() {
         let is_last = index + 1 == lines.len();
         let here: Vec<&str> = marks
@@ -114,25 +105,18 @@ fn bar(value: u64, greatest: u64, width: usize) -> String {
 }
 
 fn parts(out: &mut String, report: &Report) {
-    let _ = writeln!(out, "{:<12} {:>9} {:>9} {:>9} {:>9}", "", "p50", "p99", "p99.9", "max");
-    let mut row = |name: &str, quantiles: &Quantiles| {
-        let _ = writeln!(
-            out,
-            "{name:<12} {:>9} {:>9} {:>9} {:>9}",
-            time(quantiles.p50),
-            time(quantiles.p99),
-            time(quantiles.p999),
-            time(quantiles.max)
-        );
+    let mut row = |name: &str, cells: [String; 4]| {
+        let cells = cells.map(|cell| format!(" {cell:>9}")).concat();
+        let _ = writeln!(out, "{name:<13}{cells}");
     };
-    row("scan", &report.scan_ns);
-    row("  freeze", &report.freeze_ns);
-    row("  primary", &report.primary_ns);
-    row("  partner", &report.partner_ns);
-    row("  comparison", &report.compare_ns);
-    row("  publish", &report.publish_ns);
-    if let Some(jitter) = &report.jitter_ns {
-        row("began late by", jitter);
+    let times = |quantiles: Quantiles| quantiles.marks().map(|(_, ns)| time(ns));
+    row("", report.scan_ns.marks().map(|(name, _)| name.to_owned()));
+    row("scan", times(report.scan_ns));
+    for (name, quantiles) in report.parts() {
+        row(&format!("  {name}"), times(quantiles));
+    }
+    if let Some(jitter) = report.jitter_ns {
+        row("began late by", times(jitter));
     }
     out.push('\n');
 }
@@ -149,6 +133,13 @@ fn instructions(out: &mut String, report: &Report, columns: usize) {
         &count(report.max_instructions),
         &count(report.bound_instructions),
         &estimated(report.estimate.as_ref().map(|estimate| estimate.bound_ns)),
+    );
+    row(
+        "prescan",
+        "",
+        &report.prescan_instructions.map(count).unwrap_or_default(),
+        &count(report.bound_prescan_instructions),
+        "",
     );
     for program in &report.programs {
         row(

@@ -4,9 +4,10 @@ use std::cmp::Reverse;
 
 use serde::Serialize;
 use twinrung_bytecode::bound::Bound;
-use twinrung_bytecode::image::{Image, Owner};
+use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::RoutineIndex;
 use twinrung_bytecode::signature::short_form;
+use twinrung_bytecode::text::routine_name;
 use twinrung_bytecode::{AdmittedImage, limits};
 use twinrung_controller::StopReason;
 
@@ -53,28 +54,36 @@ pub struct Report {
     pub publish_ns: Quantiles,
     /// How late scans began; in real time only.
     pub jitter_ns: Option<Quantiles>,
-    /// What reading the clock once costs; six readings are part of each scan.
+    /// What reading the clock once costs; five readings lie within the time of each scan.
     pub clock_ns: u64,
     /// Most instructions that a scan can execute (REQ-BOUND-001).
     pub bound_instructions: u64,
     /// Most instructions that one channel executed in a scan.
     pub max_instructions: u64,
-    /// Instructions that the watchdog allows in simulated time.
+    /// Most instructions that a prescan can execute (REQ-BOUND-008).
+    pub bound_prescan_instructions: u64,
+    /// Instructions that the prescan executed; nothing where the measurement ended in its first scan.
+    pub prescan_instructions: Option<u64>,
+    /// Instructions that the watchdog allows a scan, and a prescan, in simulated time.
     pub budget_instructions: u64,
     /// What of the watchdog the slowest scan left, in percent.
     pub watchdog_headroom_percent: f64,
     /// What of the period the slowest scan left, in percent.
     pub period_headroom_percent: f64,
-    /// What the watchdog could be set to.
-    pub possible_watchdog_ms: u64,
+    /// The least watchdog with room for what was measured, for the estimate and for the bound; above the period it cannot be
+    /// set. Nothing where no scan was measured.
+    pub possible_watchdog_ms: Option<u64>,
     /// A time for the longest path, from costs measured on this machine: an estimate of this program on this computer, and
     /// of no other controller.
     pub estimate: Option<Estimate>,
+    /// Why there is no estimate though one was asked for.
+    pub estimate_failed: Option<String>,
     /// Programs in the order of the schedule.
     pub programs: Vec<ProgramRow>,
     /// Routines in the order of the image.
     pub routines: Vec<RoutineRow>,
-    /// The rungs that take longest by the estimate; without one, those that executed the most instructions.
+    /// The rungs whose longest path takes longest by the estimate, whether it was seen or not; without an estimate, those that
+    /// executed the most instructions.
     pub most_expensive_rungs: Vec<RungRow>,
     /// The distribution of the whole scan.
     pub histogram: Vec<Bucket>,
@@ -133,8 +142,13 @@ pub struct RungRow {
 }
 
 impl Report {
-    /// Of a measurement of an image.
-    pub fn new(image: &AdmittedImage, measurement: &Measurement, estimate: Option<Estimate>) -> Report {
+    /// Of a measurement of an image, with an estimate where one was asked for, or with the reason why there is none.
+    pub fn new(image: &AdmittedImage, measurement: &Measurement, estimate: Option<Result<Estimate, String>>) -> Report {
+        let (estimate, estimate_failed) = match estimate {
+            Some(Ok(estimate)) => (Some(estimate), None),
+            Some(Err(reason)) => (None, Some(reason)),
+            None => (None, None),
+        };
         let records = image.image();
         let task = records.task.as_ref();
         let watchdog_us = task.map_or(0, |task| u64::from(task.watchdog_us));
@@ -151,7 +165,7 @@ impl Report {
             estimated_ns: costs.and_then(|costs| costs.programs.get(program.position())).map(|ps| ps / 1000),
         });
         let routines = (0..records.routines.len()).map(|index| RoutineRow {
-            routine: routine_name(records, index),
+            routine: routine_name(records, RoutineIndex(index as u32)),
             rungs: u64::from(image.rungs(RoutineIndex(index as u32))),
             max_instructions: measurement.counts.routines.get(index).copied().unwrap_or_default(),
             bound_instructions: bound.routines.get(index).map_or(0, |routine| routine.total),
@@ -176,11 +190,15 @@ impl Report {
             clock_ns: measurement.clock_ns,
             bound_instructions: bound.total,
             max_instructions: measurement.instructions_max,
+            bound_prescan_instructions: bound.prescan,
+            prescan_instructions: measurement.prescan_instructions,
             budget_instructions: watchdog_us.saturating_mul(limits::BUDGET_PER_MICROSECOND),
             watchdog_headroom_percent: left(scan_ns.max, watchdog_ns),
             period_headroom_percent: left(scan_ns.max, period_ns),
-            possible_watchdog_ms: possible_watchdog_ms(longest_ns(scan_ns.max, estimate.as_ref()), bound.total),
+            possible_watchdog_ms: (measurement.scans > 0)
+                .then(|| possible_watchdog_ms(longest_ns(scan_ns.max, estimate.as_ref()), bound.greatest())),
             estimate,
+            estimate_failed,
             programs,
             routines,
             most_expensive_rungs,
@@ -194,9 +212,10 @@ impl Report {
     /// What the watchdog could be set to, and what the headroom is.
     pub fn verdict(&self) -> String {
         let period_ms = self.period_ns / MILLISECOND_NS;
-        if self.scans == 0 {
+        let Some(possible) = self.possible_watchdog_ms else {
             return "No scan was measured: nothing can be said about the watchdog.".to_owned();
-        }
+        };
+        let bound = self.bound_instructions.max(self.bound_prescan_instructions);
         let slowest = format!("The slowest of {} scans took {}: ", count(self.scans), time(self.scan_ns.max));
         let headroom = if self.scan_ns.max > self.watchdog_ns {
             format!("longer than the watchdog of {}.", time(self.watchdog_ns))
@@ -217,10 +236,9 @@ impl Report {
         } else {
             String::new()
         };
-        let possible = self.possible_watchdog_ms;
         let longest = longest_ns(self.scan_ns.max, self.estimate.as_ref());
         let why = if possible > least_watchdog_ms(MARGIN.saturating_mul(longest)) {
-            format!("the least whose budget covers the bound of {} instructions", count(self.bound_instructions))
+            format!("the least whose budget covers the bound of {} instructions", count(bound))
         } else {
             let what = if longest > self.scan_ns.max { "time estimated for the longest path" } else { "slowest scan" };
             format!("{MARGIN} times the {what}, in whole milliseconds")
@@ -230,16 +248,39 @@ impl Report {
         } else {
             format!("On this machine the watchdog could be set to {possible} ms ({why}).")
         };
-        let bound = if self.bound_instructions > self.budget_instructions {
+        let not_covered = if bound > self.budget_instructions {
             format!(
                 " As it is set, its budget of {} instructions does not cover the bound of {}.",
                 count(self.budget_instructions),
-                count(self.bound_instructions)
+                count(bound)
             )
         } else {
             String::new()
         };
-        format!("{slowest}{headroom}{disturbed} {proposal}{bound}")
+        format!("{slowest}{headroom}{disturbed} {proposal}{not_covered}")
+    }
+
+    /// The parts of a scan in their order, each with its name.
+    pub(super) fn parts(&self) -> [(&'static str, Quantiles); 5] {
+        [
+            ("freeze", self.freeze_ns),
+            ("primary", self.primary_ns),
+            ("partner", self.partner_ns),
+            ("comparison", self.compare_ns),
+            ("publish", self.publish_ns),
+        ]
+    }
+
+    /// What there is to say of the time of the longest path.
+    pub(super) fn longest_path(&self) -> Option<String> {
+        if let Some(reason) = &self.estimate_failed {
+            return Some(format!("No time is estimated for the longest path: {reason}"));
+        }
+        let estimate = self.estimate.as_ref()?;
+        Some(format!(
+            "The longest path would take about {}: an estimate from costs measured on this machine, for this computer only.",
+            time(estimate.bound_ns)
+        ))
     }
 }
 
@@ -256,15 +297,6 @@ fn possible_watchdog_ms(longest_ns: u64, bound: u64) -> u64 {
     least_watchdog_ms(MARGIN.saturating_mul(longest_ns)).max(budget_us.div_ceil(1000))
 }
 
-fn routine_name(records: &Image, index: usize) -> String {
-    let Some(record) = records.routines.get(index) else { return String::new() };
-    let owner = match record.owner {
-        Owner::Program(program) => records.programs.get(program.position()).map(|owner| owner.name.as_str()),
-        Owner::AddOn(add_on) => records.add_ons.get(add_on.position()).map(|owner| owner.name.as_str()),
-    };
-    format!("{}/{}", owner.unwrap_or_default(), record.name)
-}
-
 /// The rungs with the longest estimated time, or without an estimate those that executed the most instructions.
 fn most_expensive(records: &Image, measurement: &Measurement, costs: Option<&Bound>) -> Vec<RungRow> {
     let of = |bound: &Bound, routine: usize, rung: usize| {
@@ -273,15 +305,15 @@ fn most_expensive(records: &Image, measurement: &Measurement, costs: Option<&Bou
     let counts = measurement.counts.rungs.iter().enumerate();
     let mut rungs: Vec<(u64, u64, usize, usize)> = counts
         .flat_map(|(routine, rungs)| rungs.iter().enumerate().map(move |(rung, most)| (*most, routine, rung)))
-        .filter(|(most, _, _)| *most > 0)
         .map(|(most, routine, rung)| (costs.map_or(most, |costs| of(costs, routine, rung)), most, routine, rung))
+        .filter(|(cost, _, _, _)| *cost > 0)
         .collect();
     rungs.sort_unstable_by_key(|(cost, most, routine, rung)| (Reverse(*cost), Reverse(*most), *routine, *rung));
     rungs.truncate(RUNGS_LISTED);
     let row = |(_, most, routine, rung): (u64, u64, usize, usize)| {
         let text = records.routines.get(routine).and_then(|record| record.text.lines().nth(rung));
         RungRow {
-            routine: routine_name(records, routine),
+            routine: routine_name(records, RoutineIndex(routine as u32)),
             rung: rung as u64,
             max_instructions: most,
             bound_instructions: of(&measurement.bound, routine, rung),

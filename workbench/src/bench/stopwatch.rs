@@ -6,26 +6,31 @@ use twinrung_controller::{Part, ScanClock};
 
 use super::Distribution;
 
-/// Takes the time at the end of each part, and judges by the watchdog in real time. Nothing is recorded within the scan.
-pub(super) struct Stopwatch {
+/// Takes the time at the end of each part, and judges by the watchdog in real time. Nothing is recorded within the scan, and
+/// the clock is read once at its beginning and once at the end of each part.
+#[derive(Debug, Clone)]
+pub struct Stopwatch {
     stamps: [Instant; 6],
     watchdog: Option<Duration>,
 }
 
 impl Stopwatch {
-    pub(super) fn new(watchdog: Option<Duration>) -> Stopwatch {
+    /// With a watchdog in real time, or without one.
+    pub fn new(watchdog: Option<Duration>) -> Stopwatch {
         Stopwatch { stamps: [Instant::now(); 6], watchdog }
+    }
+
+    /// The parts of the last scan, in the order of [`Part::ALL`].
+    pub fn parts(&self) -> [Duration; 5] {
+        let [begun, freeze, primary, partner, compare, publish] = self.stamps;
+        [freeze - begun, primary - freeze, partner - primary, compare - partner, publish - compare]
     }
 
     /// Records the scan that has ended.
     pub(super) fn record(&self, whole: &mut Distribution, parts: &mut [Distribution; 5]) {
-        let [begun, .., ended] = self.stamps;
-        whole.record(ended - begun);
-        for (part, stamps) in parts.iter_mut().zip(self.stamps.windows(2)) {
-            if let [from, to] = stamps {
-                part.record(*to - *from);
-            }
-        }
+        let times = self.parts();
+        whole.record(times.iter().sum());
+        parts.iter_mut().zip(times).for_each(|(part, time)| part.record(time));
     }
 }
 
@@ -39,7 +44,9 @@ impl ScanClock for Stopwatch {
     }
 
     fn expired(&mut self) -> bool {
-        self.watchdog.is_some_and(|watchdog| self.stamps[0].elapsed() > watchdog)
+        // Asked right after the comparison, whose end has its stamp.
+        let compared = self.stamps[Part::Compare as usize + 1];
+        self.watchdog.is_some_and(|watchdog| compared - self.stamps[0] > watchdog)
     }
 }
 

@@ -2,15 +2,15 @@
 
 use twinrung_compiler::Severity;
 use twinrung_compiler::diagnostic::ENCODED;
-use twinrung_compiler::project::{TagClass, TagId, TagKind};
+use twinrung_compiler::project::{TagClass, TagKind};
 use twinrung_compiler::rules;
 use twinrung_grammar::tree::{Class, FileForm};
 
-use super::usage::{Sought, uses};
+use super::usage::Index;
 use super::{Answer, Checklist, Evidence, Line, person};
 
 /// Fills in the list.
-pub fn list(evidence: &Evidence<'_>) -> Checklist {
+pub fn list(evidence: &Evidence<'_>, index: &Index) -> Checklist {
     let standard = [&rules::standard_tag::CODE, &rules::standard_write::CODE];
     let lines = vec![
         software(evidence),
@@ -47,7 +47,7 @@ pub fn list(evidence: &Evidence<'_>) -> Checklist {
             vec!["every alias was followed to its end".to_owned()],
         ),
         outputs(evidence),
-        mapped(evidence),
+        mapped(evidence, index),
         person(11, "the process parameters that fault routines watch are defined", Vec::new()),
         add_ons(evidence),
         person(13, "an independent safety reviewer has reviewed the program, where that is required", Vec::new()),
@@ -125,7 +125,7 @@ fn outputs(evidence: &Evidence<'_>) -> Line {
     Line { number: 9, requirement, answer: Answer::No, evidence: unwritten }
 }
 
-fn mapped(evidence: &Evidence<'_>) -> Line {
+fn mapped(evidence: &Evidence<'_>, index: &Index) -> Line {
     let requirement = "the logic conditions every mapped tag";
     let Some(project) = evidence.project else {
         let found = evidence.found(&[&rules::unqualified_output::CODE, &rules::unqualified_operand::CODE]);
@@ -138,8 +138,7 @@ fn mapped(evidence: &Evidence<'_>) -> Line {
         return Line { number: 10, requirement, answer: Answer::Yes, evidence: vec!["no tag is mapped".to_owned()] };
     }
     let lines = project.map.iter().map(|line| {
-        let read = uses(project, Sought { tag: TagId(line.safety.0), cell: None }).read;
-        let places = if read.is_empty() { "nowhere".to_owned() } else { read.join(", ") };
+        let places = index.of_tag(line.safety).read_places(project);
         format!("{} takes {}; read in {places}", project.tag(line.safety).image_name(), line.standard)
     });
     let mut lines: Vec<String> = lines.collect();

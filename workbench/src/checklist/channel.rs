@@ -1,18 +1,19 @@
 //! The lists for each safety input channel and each safety output channel. 1756-RM093 Appendix D, pages 91 and 92.
 
+use twinrung_bytecode::image::TypeReference;
+use twinrung_catalog::Element;
 use twinrung_compiler::project::{Project, TagClass, TagId, TagKind};
-use twinrung_compiler::rules;
 use twinrung_grammar::tree::{AttributeValue, Module, PointKind};
 
-use super::usage::{Sought, Uses, uses};
+use super::usage::{Cell, Index, Uses};
 use super::{Answer, Checklist, Evidence, Line, person};
 
 /// One point of a module's tag.
 struct Channel<'a> {
     /// `Doors:I.Pt00Data`
     name: String,
-    /// Where the status of its connection is read, when the tag shows one.
-    watched: Option<Vec<String>>,
+    /// What uses the status of its connection, when the tag shows one.
+    status: Option<Uses>,
     module: Option<&'a Module>,
     /// `I00`: as a MODULE declaration names the point.
     point: String,
@@ -20,15 +21,15 @@ struct Channel<'a> {
 }
 
 /// All channels of safety modules, inputs before outputs.
-pub fn lists(evidence: &Evidence<'_>) -> Vec<Checklist> {
+pub fn lists(evidence: &Evidence<'_>, index: &Index) -> Vec<Checklist> {
     let Some(project) = evidence.project else { return Vec::new() };
-    let of = |output: bool| channels(evidence, project, output);
-    let inputs = of(false).into_iter().map(|channel| input(evidence, &channel));
-    let outputs = of(true).into_iter().map(|channel| output(evidence, &channel));
+    let of = |output: bool| channels(evidence, project, index, output);
+    let inputs = of(false).into_iter().map(|channel| input(evidence, project, &channel));
+    let outputs = of(true).into_iter().map(|channel| output(evidence, project, &channel));
     inputs.chain(outputs).collect()
 }
 
-fn channels<'a>(evidence: &Evidence<'a>, project: &Project, outputs: bool) -> Vec<Channel<'a>> {
+fn channels<'a>(evidence: &Evidence<'a>, project: &Project, used: &Index, outputs: bool) -> Vec<Channel<'a>> {
     let mut list = Vec::new();
     for (position, tag) in project.tags.iter().enumerate() {
         let module = match tag.kind {
@@ -36,7 +37,7 @@ fn channels<'a>(evidence: &Evidence<'a>, project: &Project, outputs: bool) -> Ve
             TagKind::ModuleOutput(module) if outputs => module,
             _ => continue,
         };
-        let Some(twinrung_bytecode::image::TypeReference::Structure(index)) = tag.type_reference else { continue };
+        let Some(TypeReference::Structure(index)) = tag.type_reference else { continue };
         if tag.class != TagClass::Safety {
             continue;
         }
@@ -44,28 +45,30 @@ fn channels<'a>(evidence: &Evidence<'a>, project: &Project, outputs: bool) -> Ve
         let shown = evidence.file.modules.iter().find(|one| declared.is_some_and(|own| one.name.span == own.span));
         let id = TagId(position as u32);
         let record = project.types.record(index);
-        let places = &project.types.layout(index).members;
-        let use_of = |name: &str| {
-            let at = record.members.iter().position(|member| member.name.eq_ignore_ascii_case(name))?;
-            let cell = Some((places[at].bit_cell, places[at].word_cell, record.members[at].type_reference));
-            Some(uses(project, Sought { tag: id, cell }))
-        };
-        let statuses: Vec<Uses> =
-            record.members.iter().filter(|one| is_status(&one.name)).filter_map(|one| use_of(&one.name)).collect();
-        let watched = (!statuses.is_empty()).then(|| {
-            let mut rungs: Vec<String> = statuses.into_iter().flat_map(|one| one.read).collect();
-            rungs.sort();
-            rungs.dedup();
-            rungs
-        });
-        for member in record.members.iter().filter(|member| point_number(&member.name).is_some()) {
-            let number = point_number(&member.name).unwrap_or_default();
+        // Name and use of each BOOL and each number of the tag.
+        let members: Vec<(&str, Uses)> = record
+            .members
+            .iter()
+            .zip(&project.types.layout(index).members)
+            .filter_map(|(member, place)| {
+                let cell = match member.type_reference {
+                    TypeReference::Element(Element::Bool) => Cell::Bit(place.bit_cell),
+                    TypeReference::Element(_) => Cell::Word(place.word_cell),
+                    TypeReference::Structure(_) => return None,
+                };
+                Some((member.name.as_str(), used.of_cell(id, cell)))
+            })
+            .collect();
+        let statuses = members.iter().filter(|(name, _)| is_status(name)).map(|(_, uses)| uses.clone());
+        let status = statuses.reduce(|all, one| all.and(&one));
+        for (member, uses) in members {
+            let Some(number) = point_number(member) else { continue };
             list.push(Channel {
-                name: format!("{}.{}", tag.image_name(), member.name),
-                watched: watched.clone(),
+                name: format!("{}.{member}", tag.image_name()),
+                status: status.clone(),
                 module: shown,
                 point: format!("{}{number}", if outputs { "O" } else { "I" }),
-                uses: use_of(&member.name).unwrap_or_default(),
+                uses,
             });
         }
     }
@@ -84,11 +87,11 @@ fn point_number(member: &str) -> Option<&str> {
     (!rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit())).then_some(rest)
 }
 
-fn input(evidence: &Evidence<'_>, channel: &Channel<'_>) -> Checklist {
+fn input(evidence: &Evidence<'_>, project: &Project, channel: &Channel<'_>) -> Checklist {
     let lines = vec![
         person(1, "the module is installed as its instructions and the standards that apply ask for", Vec::new()),
         person(2, "functional verification tests of the system and the modules were done", Vec::new()),
-        in_sequence(channel),
+        in_sequence(project, channel),
         person(
             4,
             "the configuration was read back from the module and compared with the one that was sent",
@@ -102,11 +105,11 @@ fn input(evidence: &Evidence<'_>, channel: &Channel<'_>) -> Checklist {
 }
 
 /// Diagnostics without a look at the connection are not performed at all.
-fn in_sequence(channel: &Channel<'_>) -> Line {
+fn in_sequence(project: &Project, channel: &Channel<'_>) -> Line {
     let requirement = "control, diagnostics and alarming follow each other in the application logic";
-    let used = at("the logic uses the channel", &channel.uses.read);
-    match &channel.watched {
-        Some(watched) if watched.is_empty() && !channel.uses.read.is_empty() => Line {
+    let used = format!("the logic uses the channel: {}", channel.uses.read_places(project));
+    match &channel.status {
+        Some(status) if status.is_unread() && !channel.uses.is_unread() => Line {
             number: 3,
             requirement,
             answer: Answer::No,
@@ -115,15 +118,16 @@ fn in_sequence(channel: &Channel<'_>) -> Line {
                 "no logic reads ConnectionFaulted, RunMode or another status of its connection".to_owned(),
             ],
         },
-        Some(watched) => person(3, requirement, vec![used, at("the logic reads the connection's status", watched)]),
+        Some(status) => {
+            let watched = format!("the logic reads the connection's status: {}", status.read_places(project));
+            person(3, requirement, vec![used, watched])
+        }
         None => person(3, requirement, vec![used, "its connection shows no status".to_owned()]),
     }
 }
 
-fn output(evidence: &Evidence<'_>, channel: &Channel<'_>) -> Checklist {
-    let unwritten = evidence.found(&[&rules::output_not_written::CODE]);
-    let writers = at("the logic writes the channel", &channel.uses.acted_on);
-    let not_written = channel.uses.acted_on.is_empty() && !unwritten.is_empty();
+fn output(evidence: &Evidence<'_>, project: &Project, channel: &Channel<'_>) -> Checklist {
+    let writers = format!("the logic writes the channel: {}", channel.uses.written_places(project));
     let lines = vec![
         person(1, "the module is installed as its instructions and the standards that apply ask for", Vec::new()),
         person(2, "functional verification tests of the modules were done", Vec::new()),
@@ -132,20 +136,12 @@ fn output(evidence: &Evidence<'_>, channel: &Channel<'_>) -> Checklist {
             "the configuration was read back from the module and compared with the one that was sent",
             settings(channel),
         ),
-        person(4, "no test output serves as a safety output", {
-            let mut evidence = vec![writers];
-            evidence.extend(not_written.then(|| "this output is not written at all".to_owned()));
-            evidence
-        }),
+        person(4, "no test output serves as a safety output", vec![writers]),
         person(5, "the wiring is that of PLe/Cat. 4 after ISO 13849-1", wiring(channel)),
         person(6, "output and actuator suit each other electrically", Vec::new()),
     ];
     let subject = format!("{}, {}", evidence.subject(), channel.name);
     Checklist { title: "safety output channel", page: 92, subject, lines }
-}
-
-fn at(what: &str, places: &[String]) -> String {
-    if places.is_empty() { format!("{what}: nowhere") } else { format!("{what}: {}", places.join(", ")) }
 }
 
 /// The settings of the point, as far as the file shows them.

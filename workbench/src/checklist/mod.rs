@@ -9,13 +9,15 @@ mod channel;
 mod system;
 mod usage;
 
+use serde::Serialize;
 use twinrung_bytecode::signature::short_form;
 use twinrung_compiler::diagnostic::{Code, Finding};
 use twinrung_compiler::{CheckedProject, Severity};
 use twinrung_grammar::tree::{File, Sources};
 
 /// Who answers a line, and how.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Answer {
     /// The files show that it is fulfilled.
     Yes,
@@ -26,7 +28,7 @@ pub enum Answer {
 }
 
 /// One line of a checklist.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Line {
     /// Its number in the manual.
     pub number: u32,
@@ -39,7 +41,7 @@ pub struct Line {
 }
 
 /// One checklist, filled in for one subject.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Checklist {
     /// Which of the manual's lists.
     pub title: &'static str,
@@ -71,9 +73,10 @@ const LISTED_MAX: usize = 5;
 
 /// Fills in all lists: the system, each safety input channel, each safety output channel, the application program.
 pub fn fill(evidence: &Evidence<'_>) -> Vec<Checklist> {
+    let index = evidence.project.map_or_else(usage::Index::default, |project| usage::Index::new(project));
     let mut lists = vec![system::list(evidence)];
-    lists.extend(channel::lists(evidence));
-    lists.push(application::list(evidence));
+    lists.extend(channel::lists(evidence, &index));
+    lists.push(application::list(evidence, &index));
     lists
 }
 

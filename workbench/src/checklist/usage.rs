@@ -1,77 +1,126 @@
-//! On which rungs a tag, or one value of it, is used.
+//! On which rungs tags, and single values of them, are read and written: gathered once, from the accesses that the rules
+//! look at.
 
-use twinrung_bytecode::image::TypeReference;
-use twinrung_catalog::Position;
-use twinrung_compiler::operand::{LocationBase, Operand, Reference};
-use twinrung_compiler::project::{Call, Project, RoutineId, TagId};
+use std::collections::{BTreeSet, HashMap};
 
-/// What is looked for: a tag, or one BOOL or number within it.
-#[derive(Debug, Clone, Copy)]
-pub struct Sought {
-    /// The tag.
-    pub tag: TagId,
-    /// Its first bit cell and word cell, with the type there; nothing for any part of the tag.
-    pub cell: Option<(u32, u32, TypeReference)>,
+use twinrung_compiler::operand::{Reference, Shape};
+use twinrung_compiler::project::{Project, RoutineId, TagId};
+use twinrung_compiler::rules::usage::accesses;
+
+/// Most rungs that one line names; the others are counted.
+const RUNGS_LISTED: usize = 12;
+
+/// A rung: its routine and its number.
+type Rung = (u32, u32);
+
+/// A BOOL or a number within a tag: its bit cell, or its word cell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Cell {
+    /// A BOOL.
+    Bit(u32),
+    /// A number, or a bit of it.
+    Word(u32),
 }
 
-/// Rungs as `Program/Routine rung 3`, each once: those that only look at it, and those that act on it.
-#[derive(Debug, Default)]
+/// Rungs on which something is used.
+#[derive(Debug, Clone, Default)]
 pub struct Uses {
-    /// Where an input instruction has it as an operand, or a box takes it.
-    pub read: Vec<String>,
-    /// Where an output instruction has it as an operand.
-    pub acted_on: Vec<String>,
+    read: BTreeSet<Rung>,
+    written: BTreeSet<Rung>,
 }
 
-/// Looks through all rungs.
-pub fn uses(project: &Project, sought: Sought) -> Uses {
-    let mut uses = Uses::default();
-    for (position, routine) in project.routines.iter().enumerate() {
-        for (number, rung) in routine.rungs.iter().enumerate() {
-            rung.visit(&mut |instruction| {
-                let mentioned = instruction.operands.iter().any(|one| mentions(project.operand(one.id), sought));
-                if !mentioned {
-                    return;
-                }
-                let output = instruction.call.position() != Position::Input;
-                let is_box = matches!(instruction.call, Call::AddOn(_)) || instruction.operands.len() > 1;
-                let list = if output && !is_box { &mut uses.acted_on } else { &mut uses.read };
-                let place = format!("{} rung {number}", project.routine_name(RoutineId(position as u32)));
-                if list.last() != Some(&place) {
-                    list.push(place);
-                }
-            });
-        }
+impl Uses {
+    fn add(&mut self, rung: Rung, reads: bool, writes: bool) {
+        self.read.extend(reads.then_some(rung));
+        self.written.extend(writes.then_some(rung));
     }
-    uses.read.sort();
-    uses.acted_on.sort();
-    uses
-}
 
-fn mentions(operand: &Operand, sought: Sought) -> bool {
-    match operand {
-        Operand::Reference(reference) => {
-            let mut found = false;
-            reference.visit(&mut |one| found |= is_it(one, sought));
-            found
-        }
-        Operand::Expression(expression) => {
-            let mut found = false;
-            expression.visit(&mut |one| found |= is_it(one, sought));
-            found
-        }
-        _ => false,
+    /// These and others.
+    pub fn and(&self, other: &Uses) -> Uses {
+        Uses { read: &self.read | &other.read, written: &self.written | &other.written }
+    }
+
+    /// Whether no rung looks at it.
+    pub fn is_unread(&self) -> bool {
+        self.read.is_empty()
+    }
+
+    /// The rungs that look at it: `Main/Stop rung 3, Main/Stop rung 4`, or `nowhere`.
+    pub fn read_places(&self, project: &Project) -> String {
+        places(project, &self.read)
+    }
+
+    /// The rungs that write it.
+    pub fn written_places(&self, project: &Project) -> String {
+        places(project, &self.written)
     }
 }
 
-fn is_it(reference: &Reference, sought: Sought) -> bool {
-    if reference.location.base != LocationBase::Tag(sought.tag) {
-        return false;
+fn places(project: &Project, rungs: &BTreeSet<Rung>) -> String {
+    if rungs.is_empty() {
+        return "nowhere".to_owned();
     }
-    match (sought.cell, reference.type_reference) {
-        (None, _) | (_, TypeReference::Structure(_)) => true,
-        (Some((bit, word, type_reference)), own) => {
-            own == type_reference && reference.location.bit_cell == bit && reference.location.word_cell == word
-        }
+    let name = |(routine, rung): &Rung| format!("{} rung {rung}", project.routine_name(RoutineId(*routine)));
+    let mut list: Vec<String> = rungs.iter().take(RUNGS_LISTED).map(name).collect();
+    let more = rungs.len().saturating_sub(RUNGS_LISTED);
+    list.extend((more > 0).then(|| format!("and {more} more")));
+    list.join(", ")
+}
+
+/// What uses a tag.
+#[derive(Debug, Default)]
+struct TagUses {
+    all: Uses,
+    /// What uses more than one value at once, or one that only the run selects.
+    regions: Uses,
+    cells: HashMap<Cell, Uses>,
+}
+
+/// What uses each tag of a project.
+#[derive(Debug, Default)]
+pub struct Index {
+    tags: HashMap<TagId, TagUses>,
+}
+
+impl Index {
+    /// Goes through all rungs once.
+    pub fn new(project: &Project) -> Index {
+        let mut tags: HashMap<TagId, TagUses> = HashMap::new();
+        accesses(project, &mut |access| {
+            let Some(tag) = access.reference.base_tag() else { return };
+            let uses = tags.entry(tag).or_default();
+            let rung = (access.place.routine.0, access.place.rung);
+            uses.all.add(rung, access.reads, access.writes);
+            let of_cell = match cell(access.reference) {
+                Some(cell) => uses.cells.entry(cell).or_default(),
+                None => &mut uses.regions,
+            };
+            of_cell.add(rung, access.reads, access.writes);
+        });
+        Index { tags }
+    }
+
+    /// What uses any part of a tag.
+    pub fn of_tag(&self, tag: TagId) -> Uses {
+        self.tags.get(&tag).map(|uses| uses.all.clone()).unwrap_or_default()
+    }
+
+    /// What uses one value of a tag, alone or with others.
+    pub fn of_cell(&self, tag: TagId, cell: Cell) -> Uses {
+        let Some(uses) = self.tags.get(&tag) else { return Uses::default() };
+        uses.cells.get(&cell).map_or_else(|| uses.regions.clone(), |own| own.and(&uses.regions))
+    }
+}
+
+/// The one value that a reference reaches.
+fn cell(reference: &Reference) -> Option<Cell> {
+    let location = &reference.location;
+    if !location.terms.is_empty() {
+        return None;
+    }
+    match reference.shape() {
+        Shape::Bit => Some(Cell::Bit(location.bit_cell)),
+        Shape::Word | Shape::WordBit => Some(Cell::Word(location.word_cell)),
+        _ => None,
     }
 }

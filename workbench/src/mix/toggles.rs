@@ -2,12 +2,14 @@
 
 use std::fmt::Write as _;
 
+use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::Channel;
-use twinrung_bytecode::index::{BitCell, TagIndex, WordCell};
-use twinrung_bytecode::{AdmittedImage, CellRange};
+use twinrung_bytecode::index::{BitCell, WordCell};
 use twinrung_controller::Controller;
 
 use super::{INPUTS, PERIOD_MS};
+use crate::drive::runs;
+use crate::signal::Signal;
 
 /// Seed of the stimulus: the same for every program.
 const SEED: u64 = 88_172_645_463_325_252;
@@ -26,18 +28,14 @@ impl Toggles {
     /// it does not have the inputs of a mix.
     pub fn new<A: Channel, B: Channel>(controller: &mut Controller<A, B>, each_scan: usize) -> Option<Toggles> {
         let cells: Vec<BitCell> = numbered(controller.image(), 'x').into_iter().map(|(cell, _)| cell).collect();
-        // Tags lie in order of their names: those of one letter side by side.
-        let (first, last) = (cells.iter().map(|cell| cell.0).min()?, cells.iter().map(|cell| cell.0).max()?);
-        if cells.len() != INPUTS || (last - first) as usize + 1 != INPUTS {
+        if cells.len() != INPUTS {
             return None;
         }
-        controller.freeze_also(CellRange {
-            tag: TagIndex(u32::MAX),
-            bit_cell: first,
-            bit_cells: last - first + 1,
-            word_cell: 0,
-            word_cells: 0,
-        });
+        let mut ascending = cells.clone();
+        ascending.sort_unstable();
+        for range in runs(ascending.into_iter().map(Signal::Bit)) {
+            controller.freeze_also(range);
+        }
         Some(Toggles { state: SEED, values: vec![false; INPUTS], cells, each_scan })
     }
 

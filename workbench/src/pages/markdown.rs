@@ -40,7 +40,7 @@ fn rows(out: &mut String, table: &Table) {
 }
 
 /// Text in which no character is markup but the marks around quoted words. An underscore within a name is none.
-pub(super) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\").replace('|', "\\|").replace('*', "\\*").replace('<', "&lt;").replace('[', "\\[")
 }
 

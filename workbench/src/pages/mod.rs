@@ -5,10 +5,10 @@ pub mod codes;
 pub mod findings;
 pub mod index;
 pub mod instruction;
-mod markdown;
+pub mod markdown;
 mod operands;
 mod structures;
-mod terminal;
+pub mod terminal;
 pub mod timing;
 
 pub use timing::Timing;

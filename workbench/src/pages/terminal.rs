@@ -38,7 +38,7 @@ pub(super) fn draw(page: &Page, columns: usize) -> String {
 }
 
 /// Writes words with a first and a further indent, within the columns.
-fn wrapped(out: &mut String, text: &str, first: usize, further: usize, columns: usize) {
+pub fn wrapped(out: &mut String, text: &str, first: usize, further: usize, columns: usize) {
     let mut column = first;
     let _ = write!(out, "{:first$}", "");
     let mut begun = false;

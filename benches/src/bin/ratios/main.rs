@@ -1,7 +1,7 @@
 //! Compares Twinrung with other systems on this machine, in one run, and prints the tables of docs/performance.md.
 //!
 //! `cargo run --release -p twinrung-benches --bin ratios -- [--pairs 7] [--seeds 1,2,3] [--rungs 1000,10000]
-//! [--large 100000] [--scans 300]`
+//! [--large 100000] [--scans 300] [--tables c,data,size,build,load]`
 //!
 //! The C renderings come from `../shared/bench` where it is there, with gcc and Python; without them only what needs no
 //! other system is measured.
@@ -28,10 +28,17 @@ fn main() -> Result<()> {
         eprintln!("this is a debug build: its figures say nothing");
     }
     println!("{}\n", machine::description());
-    scanning::against_c(&options)?;
-    scanning::data_dependence(&options)?;
-    scanning::size_dependence(&options)?;
-    building::against_python(&options)?;
-    building::loading(&options)?;
+    let print: [fn(&Options) -> Result<()>; options::TABLES.len()] = [
+        scanning::against_c,
+        scanning::data_dependence,
+        scanning::size_dependence,
+        building::against_python,
+        building::loading,
+    ];
+    for (name, print) in options::TABLES.iter().zip(print) {
+        if options.tables.iter().any(|wanted| wanted == name) {
+            print(&options)?;
+        }
+    }
     Ok(())
 }

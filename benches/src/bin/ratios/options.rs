@@ -15,13 +15,24 @@ pub struct Options {
     pub large: usize,
     /// Scans of a run.
     pub scans: u64,
+    /// The tables to print.
+    pub tables: Vec<String>,
 }
+
+/// All tables, in their order: against C, against the data, against the size, against Python, loading.
+pub const TABLES: [&str; 5] = ["c", "data", "size", "build", "load"];
 
 impl Options {
     /// Reads `--name value` pairs.
     pub fn read(arguments: &[String]) -> Result<Options> {
-        let mut options =
-            Options { pairs: 7, seeds: vec![1, 2, 3], rungs: vec![1000, 10_000], large: 100_000, scans: 300 };
+        let mut options = Options {
+            pairs: 7,
+            seeds: vec![1, 2, 3],
+            rungs: vec![1000, 10_000],
+            large: 100_000,
+            scans: 300,
+            tables: TABLES.map(str::to_owned).to_vec(),
+        };
         let mut rest = arguments.iter();
         while let Some(name) = rest.next() {
             let value = rest.next().ok_or_else(|| format!("{name} needs a value"))?;
@@ -31,11 +42,15 @@ impl Options {
                 "--rungs" => options.rungs = list(value)?,
                 "--large" => options.large = value.parse()?,
                 "--scans" => options.scans = value.parse()?,
+                "--tables" => options.tables = list(value)?,
                 _ => return Err(format!("no option {name}").into()),
             }
         }
         if options.pairs == 0 || options.scans == 0 || options.seeds.is_empty() || options.rungs.is_empty() {
             return Err("pairs, scans, seeds and rungs are at least one each".into());
+        }
+        if let Some(unknown) = options.tables.iter().find(|name| !TABLES.contains(&name.as_str())) {
+            return Err(format!("no table {unknown}; there are {}", TABLES.join(", ")).into());
         }
         Ok(options)
     }

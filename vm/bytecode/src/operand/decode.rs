@@ -111,6 +111,19 @@ impl OperandRecord {
     }
 }
 
+/// The tag of an entry that is a reference to a whole tag. Of the entry no more is looked at than the path: what follows it
+/// may still be wrong.
+pub(crate) fn whole_tag(bytes: &[u8]) -> Option<TagIndex> {
+    /// The number of the root and the tag.
+    const PATH_BYTES: u16 = 5;
+    let mut entry = Entry(bytes);
+    let begin = (entry.byte().ok()?, entry.half().ok()?, entry.byte().ok()?);
+    if begin != (format::REFERENCE, PATH_BYTES, format::ROOT_TAG) {
+        return None;
+    }
+    entry.word().ok().map(TagIndex)
+}
+
 struct Entry<'a>(&'a [u8]);
 
 impl<'a> Entry<'a> {

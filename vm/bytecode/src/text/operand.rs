@@ -13,7 +13,7 @@ use crate::format::STATUS_KEYWORDS;
 use crate::image::{Image, TypeReference};
 use crate::index::OperandIndex;
 use crate::limits;
-use crate::operand::{OperandRecord, Reference, Root, Step, Subscript};
+use crate::operand::{OperandRecord, Reference, Root, Step, Subscript, whole_tag};
 
 /// Why a text was not written to its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,13 +58,19 @@ impl<'a> OperandWriter<'a> {
         OperandWriter { image, pending: Vec::new(), pieces: Vec::new() }
     }
 
-    /// Writes an operand where an instruction declares `kind`. The work is bounded by what is written.
+    /// Writes an operand where an instruction declares `kind`. The work is bounded by what is written. That the record of
+    /// a whole tag is one to its end, who reads the table shows: here only its path is looked at.
     pub(super) fn write(
         &mut self,
         operand: OperandIndex,
         kind: Option<OperandKind>,
         out: &mut dyn Write,
     ) -> Result<(), Stop> {
+        // Most operands are whole tags: their names are written without reading the record.
+        let whole = self.image.operands.entry(operand).and_then(whole_tag);
+        if let Some(tag) = whole.and_then(|tag| self.image.tags.get(tag.position())) {
+            return Ok(out.write_str(&tag.name)?);
+        }
         self.pending.clear();
         self.pending.push(Piece::Operand(operand, 0));
         while let Some(piece) = self.pending.pop() {

@@ -1,0 +1,21 @@
+//! How the command ends.
+
+use std::process::ExitCode;
+
+use twinrung_controller::StopReason;
+
+/// Something was found, or refused.
+pub const REFUSED: u8 = 1;
+/// A file cannot be read, or an argument is wrong.
+pub const UNREADABLE: u8 = 2;
+const NONRECOVERABLE: u8 = 3;
+const RECOVERABLE: u8 = 4;
+
+/// Scans came to their end, or stopped for a reason.
+pub fn of_scans(stopped: Option<StopReason>) -> ExitCode {
+    match stopped {
+        None => ExitCode::SUCCESS,
+        Some(StopReason::Safety(_)) => ExitCode::from(NONRECOVERABLE),
+        Some(StopReason::Recoverable(_)) => ExitCode::from(RECOVERABLE),
+    }
+}
