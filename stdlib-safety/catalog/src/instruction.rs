@@ -1,7 +1,7 @@
 //! What an instruction is: the shape of one row of the certified set.
 
 use crate::code::Code;
-use crate::execution::Execution;
+use crate::execution::{Execution, execution};
 use crate::operand::Operand;
 use crate::predefined::PredefinedType;
 
@@ -38,6 +38,27 @@ pub struct Instruction {
     pub execution: Execution,
     /// For safety application instructions: the rest of the declaration.
     pub safety: Option<&'static SafetyApplication>,
+}
+
+/// What most base instructions have in common: the rest of a declaration says what is its own. Its opcode, names and texts
+/// are to be replaced.
+pub(crate) const fn base(group: Group, position: Position) -> Instruction {
+    Instruction {
+        opcode: Opcode::Nop,
+        mnemonic: "",
+        also: &[],
+        name: "",
+        group,
+        first_version: 14,
+        requires: Requires::Any,
+        source: "1756-RM093 Table 12",
+        position,
+        transitional: false,
+        operands: &[],
+        summary: "",
+        execution: execution("", "", "", ""),
+        safety: None,
+    }
 }
 
 /// What a safety application instruction has beyond a base instruction.

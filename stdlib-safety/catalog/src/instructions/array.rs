@@ -1,7 +1,7 @@
 //! Array (file) instructions. general-instructions.md A.6.
 
 use crate::execution::{LEFT, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires, base};
 use crate::operand::{
     Access,
     OperandKind::{
@@ -15,13 +15,9 @@ use crate::types::base::CONTROL;
 pub static FAL: Instruction = Instruction {
     opcode: Opcode::Fal,
     mnemonic: "FAL",
-    also: &[],
     name: "File Arithmetic and Logic",
-    group: Group::Array,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Control", Structure(&CONTROL, Access::ReadWrite)),
@@ -40,20 +36,16 @@ pub static FAL: Instruction = Instruction {
         "An overflow sets ER, POS stays on that element, and nothing runs until ER is cleared. Major fault 4/21 \
          when LEN or POS is negative, 4/20 when a subscript leads out of its array.",
     ),
-    safety: None,
+    ..base(Group::Array, Position::Output)
 };
 
 /// File search and compare.
 pub static FSC: Instruction = Instruction {
     opcode: Opcode::Fsc,
     mnemonic: "FSC",
-    also: &[],
     name: "File Search and Compare",
-    group: Group::Array,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Control", Structure(&CONTROL, Access::ReadWrite)),
@@ -72,21 +64,16 @@ pub static FSC: Instruction = Instruction {
         "Arithmetic that overflows sets S:V and logs minor fault 4/4. Major fault 4/21 when LEN or POS is \
          negative, 4/20 when a subscript leads out of its array.",
     ),
-    safety: None,
+    ..base(Group::Array, Position::Output)
 };
 
 /// File fill.
 pub static FLL: Instruction = Instruction {
     opcode: Opcode::Fll,
     mnemonic: "FLL",
-    also: &[],
     name: "File Fill",
-    group: Group::Array,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source", Number(Access::Read)),
         operand("Dest", FillDestination),
@@ -100,21 +87,16 @@ pub static FLL: Instruction = Instruction {
         "Major fault 4/20 when a subscript leads out of its array. A value that does not fit sets S:V and logs \
          minor fault 4/4.",
     ),
-    safety: None,
+    ..base(Group::Array, Position::Output)
 };
 
 /// Size in elements.
 pub static SIZE: Instruction = Instruction {
     opcode: Opcode::Size,
     mnemonic: "SIZE",
-    also: &[],
     name: "Size In Elements",
-    group: Group::Array,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source", Array),
         operand("Dimension to Vary", Dimension),
@@ -122,5 +104,5 @@ pub static SIZE: Instruction = Instruction {
     ],
     summary: "Stores the number of elements of a dimension.",
     execution: execution("Stores the number of elements of the dimension.", LEFT, NOTHING, "The flags stay."),
-    safety: None,
+    ..base(Group::Array, Position::Output)
 };

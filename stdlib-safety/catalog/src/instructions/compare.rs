@@ -1,7 +1,7 @@
 //! Comparisons. general-instructions.md A.4.
 
 use crate::execution::{NOT_READ, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires, base};
 use crate::operand::{
     Access,
     OperandKind::{Condition, Integer, Number},
@@ -14,12 +14,6 @@ pub static EQU: Instruction = Instruction {
     mnemonic: "EQU",
     also: &["EQ"],
     name: "Equal To",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A equals B.",
     execution: execution(
@@ -28,7 +22,7 @@ pub static EQU: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Not equal to.
@@ -37,12 +31,6 @@ pub static NEQ: Instruction = Instruction {
     mnemonic: "NEQ",
     also: &["NE"],
     name: "Not Equal To",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A differs from B.",
     execution: execution(
@@ -52,7 +40,7 @@ pub static NEQ: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Greater than.
@@ -61,12 +49,6 @@ pub static GRT: Instruction = Instruction {
     mnemonic: "GRT",
     also: &["GT"],
     name: "Greater Than",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is greater than B.",
     execution: execution(
@@ -76,7 +58,7 @@ pub static GRT: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Greater than or equal to.
@@ -85,12 +67,6 @@ pub static GEQ: Instruction = Instruction {
     mnemonic: "GEQ",
     also: &["GE"],
     name: "Greater Than Or Equal To",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is greater than or equal to B.",
     execution: execution(
@@ -100,7 +76,7 @@ pub static GEQ: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Less than.
@@ -109,12 +85,6 @@ pub static LES: Instruction = Instruction {
     mnemonic: "LES",
     also: &["LT"],
     name: "Less Than",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is less than B.",
     execution: execution(
@@ -124,7 +94,7 @@ pub static LES: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Less than or equal to.
@@ -133,12 +103,6 @@ pub static LEQ: Instruction = Instruction {
     mnemonic: "LEQ",
     also: &["LE"],
     name: "Less Than Or Equal To",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Source A", Number(Access::Read)), operand("Source B", Number(Access::Read))],
     summary: "Passes while A is less than or equal to B.",
     execution: execution(
@@ -148,7 +112,7 @@ pub static LEQ: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Limit test.
@@ -157,12 +121,6 @@ pub static LIM: Instruction = Instruction {
     mnemonic: "LIM",
     also: &["LIMIT"],
     name: "Limit Test",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[
         operand("Low Limit", Number(Access::Read)),
         operand("Test", Number(Access::Read)),
@@ -176,21 +134,14 @@ pub static LIM: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Masked comparison for equal.
 pub static MEQ: Instruction = Instruction {
     opcode: Opcode::Meq,
     mnemonic: "MEQ",
-    also: &[],
     name: "Masked Comparison for Equal",
-    group: Group::Compare,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[
         operand("Source", Integer(Access::Read)),
         operand("Mask", Integer(Access::Read)),
@@ -203,21 +154,16 @@ pub static MEQ: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };
 
 /// Compare by expression.
 pub static CMP: Instruction = Instruction {
     opcode: Opcode::Cmp,
     mnemonic: "CMP",
-    also: &[],
     name: "Compare",
-    group: Group::Compare,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[operand("Expression", Condition)],
     summary: "Passes while the expression is true.",
     execution: execution(
@@ -226,5 +172,5 @@ pub static CMP: Instruction = Instruction {
         NOTHING,
         "Arithmetic that overflows sets S:V and logs minor fault 4/4; the other flags stay.",
     ),
-    safety: None,
+    ..base(Group::Compare, Position::Input)
 };

@@ -1,21 +1,14 @@
 //! Bitwise logic. general-instructions.md A.7.
 
 use crate::execution::{LEFT, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, base};
 use crate::operand::{Access, OperandKind::Integer, operand};
 
 /// Bitwise and.
 pub static AND: Instruction = Instruction {
     opcode: Opcode::And,
     mnemonic: "AND",
-    also: &[],
     name: "Bitwise AND",
-    group: Group::Logical,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Integer(Access::Read)),
         operand("Source B", Integer(Access::Read)),
@@ -28,21 +21,14 @@ pub static AND: Instruction = Instruction {
         NOTHING,
         "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
     ),
-    safety: None,
+    ..base(Group::Logical, Position::Output)
 };
 
 /// Bitwise or.
 pub static OR: Instruction = Instruction {
     opcode: Opcode::Or,
     mnemonic: "OR",
-    also: &[],
     name: "Bitwise OR",
-    group: Group::Logical,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Integer(Access::Read)),
         operand("Source B", Integer(Access::Read)),
@@ -55,21 +41,14 @@ pub static OR: Instruction = Instruction {
         NOTHING,
         "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
     ),
-    safety: None,
+    ..base(Group::Logical, Position::Output)
 };
 
 /// Bitwise exclusive or.
 pub static XOR: Instruction = Instruction {
     opcode: Opcode::Xor,
     mnemonic: "XOR",
-    also: &[],
     name: "Bitwise Exclusive OR",
-    group: Group::Logical,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Integer(Access::Read)),
         operand("Source B", Integer(Access::Read)),
@@ -82,21 +61,14 @@ pub static XOR: Instruction = Instruction {
         NOTHING,
         "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
     ),
-    safety: None,
+    ..base(Group::Logical, Position::Output)
 };
 
 /// Bitwise not.
 pub static NOT: Instruction = Instruction {
     opcode: Opcode::Not,
     mnemonic: "NOT",
-    also: &[],
     name: "Bitwise NOT",
-    group: Group::Logical,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", Integer(Access::Read)), operand("Dest", Integer(Access::Write))],
     summary: "Stores the inverted bits of the source.",
     execution: execution(
@@ -105,5 +77,5 @@ pub static NOT: Instruction = Instruction {
         NOTHING,
         "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
     ),
-    safety: None,
+    ..base(Group::Logical, Position::Output)
 };

@@ -1,7 +1,7 @@
 //! Arithmetic. general-instructions.md A.9.
 
 use crate::execution::{LEFT, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires, base};
 use crate::operand::{
     Access,
     OperandKind::{Expression, Number},
@@ -12,14 +12,7 @@ use crate::operand::{
 pub static ADD: Instruction = Instruction {
     opcode: Opcode::Add,
     mnemonic: "ADD",
-    also: &[],
     name: "Add",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Number(Access::Read)),
         operand("Source B", Number(Access::Read)),
@@ -33,21 +26,14 @@ pub static ADD: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored. S:C is the carry of integers.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Subtract.
 pub static SUB: Instruction = Instruction {
     opcode: Opcode::Sub,
     mnemonic: "SUB",
-    also: &[],
     name: "Subtract",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Number(Access::Read)),
         operand("Source B", Number(Access::Read)),
@@ -61,21 +47,14 @@ pub static SUB: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored. S:C is the carry of integers.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Multiply.
 pub static MUL: Instruction = Instruction {
     opcode: Opcode::Mul,
     mnemonic: "MUL",
-    also: &[],
     name: "Multiply",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Number(Access::Read)),
         operand("Source B", Number(Access::Read)),
@@ -89,21 +68,14 @@ pub static MUL: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Divide.
 pub static DIV: Instruction = Instruction {
     opcode: Opcode::Div,
     mnemonic: "DIV",
-    also: &[],
     name: "Divide",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Number(Access::Read)),
         operand("Source B", Number(Access::Read)),
@@ -118,21 +90,14 @@ pub static DIV: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored. A division by 0 does so too.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Modulo.
 pub static MOD: Instruction = Instruction {
     opcode: Opcode::Mod,
     mnemonic: "MOD",
-    also: &[],
     name: "Modulo",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source A", Number(Access::Read)),
         operand("Source B", Number(Access::Read)),
@@ -146,7 +111,7 @@ pub static MOD: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored. A division by 0 does so too.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Square root.
@@ -155,12 +120,6 @@ pub static SQR: Instruction = Instruction {
     mnemonic: "SQR",
     also: &["SQRT"],
     name: "Square Root",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the square root of the absolute value.",
     execution: execution(
@@ -171,21 +130,14 @@ pub static SQR: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Negate.
 pub static NEG: Instruction = Instruction {
     opcode: Opcode::Neg,
     mnemonic: "NEG",
-    also: &[],
     name: "Negate",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores 0 - source.",
     execution: execution(
@@ -195,21 +147,14 @@ pub static NEG: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Absolute value.
 pub static ABS: Instruction = Instruction {
     opcode: Opcode::Abs,
     mnemonic: "ABS",
-    also: &[],
     name: "Absolute Value",
-    group: Group::Math,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the value without its sign.",
     execution: execution(
@@ -219,21 +164,16 @@ pub static ABS: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };
 
 /// Compute.
 pub static CPT: Instruction = Instruction {
     opcode: Opcode::Cpt,
     mnemonic: "CPT",
-    also: &[],
     name: "Compute",
-    group: Group::Math,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Dest", Number(Access::Write)), operand("Expression", Expression)],
     summary: "Stores the value of the expression.",
     execution: execution(
@@ -244,5 +184,5 @@ pub static CPT: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A result that does not fit sets S:V and logs minor fault 4/4; its low \
          bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Math, Position::Output)
 };

@@ -1,7 +1,7 @@
 //! Moves and copies. general-instructions.md A.5 and A.6.
 
 use crate::execution::{LEFT, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires, base};
 use crate::operand::{
     Access,
     OperandKind::{ByteOrder, ConstantLength, CopyDestination, CopySource, Integer, Number},
@@ -14,12 +14,6 @@ pub static MOV: Instruction = Instruction {
     mnemonic: "MOV",
     also: &["MOVE"],
     name: "Move",
-    group: Group::Move,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", Number(Access::Read)), operand("Dest", Number(Access::Write))],
     summary: "Stores the converted source.",
     execution: execution(
@@ -29,21 +23,14 @@ pub static MOV: Instruction = Instruction {
         "S:Z and S:N tell the stored value. A value that does not fit Dest sets S:V and logs minor fault 4/4; its \
          low bits are stored.",
     ),
-    safety: None,
+    ..base(Group::Move, Position::Output)
 };
 
 /// Masked move.
 pub static MVM: Instruction = Instruction {
     opcode: Opcode::Mvm,
     mnemonic: "MVM",
-    also: &[],
     name: "Masked Move",
-    group: Group::Move,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source", Integer(Access::Read)),
         operand("Mask", Integer(Access::Read)),
@@ -56,39 +43,25 @@ pub static MVM: Instruction = Instruction {
         NOTHING,
         "S:Z and S:N tell the stored value; S:V and S:C are cleared.",
     ),
-    safety: None,
+    ..base(Group::Move, Position::Output)
 };
 
 /// Clear.
 pub static CLR: Instruction = Instruction {
     opcode: Opcode::Clr,
     mnemonic: "CLR",
-    also: &[],
     name: "Clear",
-    group: Group::Move,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Dest", Number(Access::Write))],
     summary: "Stores 0.",
     execution: execution("Stores 0.", LEFT, NOTHING, "S:Z is set; S:N, S:V and S:C are cleared."),
-    safety: None,
+    ..base(Group::Move, Position::Output)
 };
 
 /// Copy.
 pub static COP: Instruction = Instruction {
     opcode: Opcode::Cop,
     mnemonic: "COP",
-    also: &[],
     name: "Copy",
-    group: Group::Move,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Source", CopySource), operand("Dest", CopyDestination), operand("Length", ConstantLength)],
     summary: "Copies bytes without conversion; the length is a constant and both sides have the same size.",
     execution: execution(
@@ -97,21 +70,16 @@ pub static COP: Instruction = Instruction {
         NOTHING,
         "Major fault 4/20 when a subscript leads out of its array. The flags stay.",
     ),
-    safety: None,
+    ..base(Group::Move, Position::Output)
 };
 
 /// Swap byte.
 pub static SWPB: Instruction = Instruction {
     opcode: Opcode::Swpb,
     mnemonic: "SWPB",
-    also: &[],
     name: "Swap Byte",
-    group: Group::Move,
     first_version: 20,
     requires: Requires::L7x,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Source", Number(Access::Read)),
         operand("Order Mode", ByteOrder),
@@ -125,5 +93,5 @@ pub static SWPB: Instruction = Instruction {
         NOTHING,
         "The flags stay.",
     ),
-    safety: None,
+    ..base(Group::Move, Position::Output)
 };

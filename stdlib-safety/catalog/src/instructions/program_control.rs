@@ -1,7 +1,7 @@
 //! Program control. general-instructions.md A.8.
 
 use crate::execution::{NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, base};
 use crate::operand::{
     Access,
     OperandKind::{EventTask, InputCount, Label, LabelDefinition, Parameter, Routine},
@@ -12,14 +12,7 @@ use crate::operand::{
 pub static JMP: Instruction = Instruction {
     opcode: Opcode::Jmp,
     mnemonic: "JMP",
-    also: &[],
     name: "Jump To Label",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Ending,
-    transitional: false,
     operands: &[operand("Label Name", Label)],
     summary: "Continues at the rung with the label.",
     execution: execution(
@@ -29,39 +22,25 @@ pub static JMP: Instruction = Instruction {
         "Does not jump: every rung is visited.",
         "Major fault 4/94 when one execution of its routine would jump backward more than 1,000 times.",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Ending)
 };
 
 /// Label.
 pub static LBL: Instruction = Instruction {
     opcode: Opcode::Lbl,
     mnemonic: "LBL",
-    also: &[],
     name: "Label",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::First,
-    transitional: false,
     operands: &[operand("Label Name", LabelDefinition)],
     summary: "Names a rung that JMP can reach.",
     execution: execution("Passes the rung condition on.", "Passes the rung condition on.", NOTHING, ""),
-    safety: None,
+    ..base(Group::ProgramControl, Position::First)
 };
 
 /// Jump to subroutine.
 pub static JSR: Instruction = Instruction {
     opcode: Opcode::Jsr,
     mnemonic: "JSR",
-    also: &[],
     name: "Jump to Subroutine",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Routine Name", Routine),
         operand("Number of Inputs", InputCount),
@@ -75,21 +54,14 @@ pub static JSR: Instruction = Instruction {
         "Prescans the routine, once for all its calls; no parameters are passed.",
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Output)
 };
 
 /// Subroutine.
 pub static SBR: Instruction = Instruction {
     opcode: Opcode::Sbr,
     mnemonic: "SBR",
-    also: &[],
     name: "Subroutine",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::First,
-    transitional: false,
     operands: &[repeated("Input Parameter", Parameter(Access::Write))],
     summary: "Receives the inputs of a JSR.",
     execution: execution(
@@ -98,21 +70,14 @@ pub static SBR: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::First)
 };
 
 /// Return.
 pub static RET: Instruction = Instruction {
     opcode: Opcode::Ret,
     mnemonic: "RET",
-    also: &[],
     name: "Return",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Ending,
-    transitional: false,
     operands: &[repeated("Return Parameter", Parameter(Access::Read))],
     summary: "Ends the routine and hands values back.",
     execution: execution(
@@ -121,21 +86,14 @@ pub static RET: Instruction = Instruction {
         "Does not return: every rung is visited.",
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Ending)
 };
 
 /// Temporary end.
 pub static TND: Instruction = Instruction {
     opcode: Opcode::Tnd,
     mnemonic: "TND",
-    also: &[],
     name: "Temporary End",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Ending,
-    transitional: false,
     operands: &[],
     summary: "Ends the routine.",
     execution: execution(
@@ -145,20 +103,14 @@ pub static TND: Instruction = Instruction {
         "Does not end the routine.",
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Ending)
 };
 
 /// Master control reset.
 pub static MCR: Instruction = Instruction {
     opcode: Opcode::Mcr,
     mnemonic: "MCR",
-    also: &[],
     name: "Master Control Reset",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[],
     summary: "Begins or ends a zone whose rungs all start false.",
@@ -169,57 +121,37 @@ pub static MCR: Instruction = Instruction {
         "Does not begin a zone.",
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Output)
 };
 
 /// Always false.
 pub static AFI: Instruction = Instruction {
     opcode: Opcode::Afi,
     mnemonic: "AFI",
-    also: &[],
     name: "Always False Instruction",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Input,
-    transitional: false,
     operands: &[],
     summary: "Makes the rung false.",
     execution: execution("Is false.", "Is false.", NOTHING, ""),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Input)
 };
 
 /// No operation.
 pub static NOP: Instruction = Instruction {
     opcode: Opcode::Nop,
     mnemonic: "NOP",
-    also: &[],
     name: "No Operation",
-    group: Group::ProgramControl,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[],
     summary: "Does nothing.",
     execution: execution("Nothing.", "Nothing.", NOTHING, ""),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Output)
 };
 
 /// Trigger event task.
 pub static EVENT: Instruction = Instruction {
     opcode: Opcode::Event,
     mnemonic: "EVENT",
-    also: &[],
     name: "Trigger Event Task",
-    group: Group::ProgramControl,
     first_version: 20,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Task", EventTask)],
     summary: "Triggers one execution of a standard event task.",
     execution: execution(
@@ -229,5 +161,5 @@ pub static EVENT: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::ProgramControl, Position::Output)
 };

@@ -1,7 +1,7 @@
 //! System values. general-instructions.md A.10.
 
 use crate::execution::{LEFT, NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, Requires, base};
 use crate::operand::{
     Access,
     OperandKind::{SystemAttribute, SystemClass, SystemData, SystemInstance},
@@ -12,14 +12,7 @@ use crate::operand::{
 pub static GSV: Instruction = Instruction {
     opcode: Opcode::Gsv,
     mnemonic: "GSV",
-    also: &[],
     name: "Get System Value",
-    group: Group::InputOutput,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Class Name", SystemClass),
         operand("Instance Name", SystemInstance),
@@ -35,21 +28,14 @@ pub static GSV: Instruction = Instruction {
         "An object or an attribute that is not there and a Dest that is too small are refused when the program is compiled. \
          Major fault 4/20 when a tag subscript in Dest leaves too few bytes; nothing is then written.",
     ),
-    safety: None,
+    ..base(Group::InputOutput, Position::Output)
 };
 
 /// Set system value.
 pub static SSV: Instruction = Instruction {
     opcode: Opcode::Ssv,
     mnemonic: "SSV",
-    also: &[],
     name: "Set System Value",
-    group: Group::InputOutput,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[
         operand("Class Name", SystemClass),
         operand("Instance Name", SystemInstance),
@@ -64,7 +50,7 @@ pub static SSV: Instruction = Instruction {
         "An object or an attribute that is not there or cannot be set so and a Source that is too small are refused when the \
          program is compiled. Major fault 4/20 when a tag subscript in Source leaves too few bytes.",
     ),
-    safety: None,
+    ..base(Group::InputOutput, Position::Output)
 };
 
 /// An attribute that GSV or SSV can reach from the safety task.

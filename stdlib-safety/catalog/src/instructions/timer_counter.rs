@@ -1,7 +1,7 @@
 //! Timers, counters and RES. general-instructions.md A.2 and A.3.
 
 use crate::execution::{NOTHING, execution};
-use crate::instruction::{Group, Instruction, Opcode, Position, Requires};
+use crate::instruction::{Group, Instruction, Opcode, Position, base};
 use crate::operand::{
     Access,
     OperandKind::{Pseudo, Resettable, Structure},
@@ -13,13 +13,7 @@ use crate::types::base::{COUNTER, TIMER};
 pub static TON: Instruction = Instruction {
     opcode: Opcode::Ton,
     mnemonic: "TON",
-    also: &[],
     name: "Timer On Delay",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Timer", Structure(&TIMER, Access::ReadWrite)),
@@ -35,20 +29,14 @@ pub static TON: Instruction = Instruction {
         "Clears EN, TT, DN and ACC.",
         "Major fault 4/34 when PRE or ACC is negative while it is enabled.",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };
 
 /// Timer off delay.
 pub static TOF: Instruction = Instruction {
     opcode: Opcode::Tof,
     mnemonic: "TOF",
-    also: &[],
     name: "Timer Off Delay",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Timer", Structure(&TIMER, Access::ReadWrite)),
@@ -63,20 +51,14 @@ pub static TOF: Instruction = Instruction {
         "Clears EN, TT and DN and sets ACC to PRE: a rung that starts false does not time.",
         "Major fault 4/34 when PRE or ACC is negative while it times. RES of a TOF is refused.",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };
 
 /// Retentive timer on.
 pub static RTO: Instruction = Instruction {
     opcode: Opcode::Rto,
     mnemonic: "RTO",
-    also: &[],
     name: "Retentive Timer On",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Timer", Structure(&TIMER, Access::ReadWrite)),
@@ -92,20 +74,14 @@ pub static RTO: Instruction = Instruction {
         "Clears EN, TT and DN; ACC stays. A timer that was done sets DN again at its first true execution.",
         "Major fault 4/34 when PRE or ACC is negative while it is enabled.",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };
 
 /// Count up.
 pub static CTU: Instruction = Instruction {
     opcode: Opcode::Ctu,
     mnemonic: "CTU",
-    also: &[],
     name: "Count Up",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Counter", Structure(&COUNTER, Access::ReadWrite)),
@@ -120,20 +96,14 @@ pub static CTU: Instruction = Instruction {
         "Sets CU: a rung that is true at the first scan is not counted.",
         "",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };
 
 /// Count down.
 pub static CTD: Instruction = Instruction {
     opcode: Opcode::Ctd,
     mnemonic: "CTD",
-    also: &[],
     name: "Count Down",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
     transitional: true,
     operands: &[
         operand("Counter", Structure(&COUNTER, Access::ReadWrite)),
@@ -148,21 +118,14 @@ pub static CTD: Instruction = Instruction {
         "Sets CD: a rung that is true at the first scan is not counted.",
         "",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };
 
 /// Reset.
 pub static RES: Instruction = Instruction {
     opcode: Opcode::Res,
     mnemonic: "RES",
-    also: &[],
     name: "Reset",
-    group: Group::TimerCounter,
-    first_version: 14,
-    requires: Requires::Any,
-    source: "1756-RM093 Table 12",
-    position: Position::Output,
-    transitional: false,
     operands: &[operand("Structure", Resettable)],
     summary: "Clears ACC (or POS) and the status bits of a TIMER, COUNTER or CONTROL.",
     execution: execution(
@@ -172,5 +135,5 @@ pub static RES: Instruction = Instruction {
         NOTHING,
         "",
     ),
-    safety: None,
+    ..base(Group::TimerCounter, Position::Output)
 };

@@ -208,3 +208,129 @@ pub mod permissive {
         "decided",
     );
 }
+
+/// FaultCode 16#F070 of the analog pair.
+pub const CHANNELS_DIFFERED: Code = fault(
+    0xF070,
+    "The channels differed by more than Tolerance for the Discrepancy Time.",
+    "Check the sensors and Tolerance; give Reset a rising edge when the channels agree.",
+    "number decided, cause recalled 85 %",
+);
+
+/// DiagnosticCode 16#F171 of the analog pair.
+pub const BELOW_LOW_LIMIT: Code =
+    diagnostic(0xF171, "A channel is below Low Limit.", "Bring the measured value back into its range.", "decided");
+
+/// DiagnosticCode 16#F172 of the analog pair.
+pub const CHANNELS_DIFFER: Code = diagnostic(
+    0xF172,
+    "The channels differ by more than Tolerance now.",
+    "Check the sensors and Tolerance.",
+    "decided",
+);
+
+/// DiagnosticCode 16#F174 of the analog pair.
+pub const COLD_START_RESET_AWAITED: Code =
+    diagnostic(0xF174, "Cold start: a reset is awaited.", "Give Reset a rising edge.", "decided");
+
+/// DiagnosticCode 16#F173 of the analog pair.
+pub const ANALOG_RESET_AWAITED: Code =
+    diagnostic(0xF173, "A reset is awaited after a stop or a fault.", "Give Reset a rising edge.", "decided");
+
+/// FaultCode 16#F06F of the muting instructions.
+pub const CONFIGURATION_OUT_OF_RANGE: Code = fault(
+    0xF06F,
+    "A configuration value of the image is out of its range.",
+    "Download again; Reset does not clear this.",
+    "decided",
+);
+
+/// FaultCode 16#F051 of the muting instructions.
+pub const ENABLE_MUTE_LOST: Code = fault(
+    0xF051,
+    "Enable Mute went OFF while the curtain was muted and blocked.",
+    "Clear the area, correct the enable logic, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F052 of the muting instructions.
+pub const WRONG_SENSOR_ORDER: Code = fault(
+    0xF052,
+    "Sensors changed in a wrong order, together where the order matters, or from the wrong \
+                 side; curtain clear.",
+    "Clear the area, check alignment, load shape and speed, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F053 of the muting instructions.
+pub const BLOCKED_NOT_MUTED: Code = fault(
+    0xF053,
+    "The curtain was blocked during a sequence although it was not muted: a person, or \
+                 sensors too late.",
+    "Clear the area, make sure that nobody is inside, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F054 of the muting instructions.
+pub const WRONG_SENSOR_WHILE_MUTED: Code = fault(
+    0xF054,
+    "A sensor changed wrongly while muted with the curtain blocked.",
+    "Clear the area, check the sensor under the load, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F050 of the muting instructions.
+pub const MUTING_LAMP_BAD: Code = fault(
+    0xF050,
+    "The muting lamp was bad when a mute started, or during it.",
+    "Repair the lamp (its detection takes up to 6 s); give Reset a rising edge when Muting \
+                 Lamp Status is ON.",
+    "decided",
+);
+
+/// FaultCode 16#F058 of the muting instructions.
+pub const S1_S2_TIME: Code = fault(
+    0xF058,
+    "S1-S2 Time was reached.",
+    "Clear the area, adjust time, speed or distance, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F059 of the muting instructions.
+pub const S2_LC_TIME: Code = fault(
+    0xF059,
+    "S2-LC Time was reached.",
+    "Clear the area, adjust time, speed or distance, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F060 of the muting instructions.
+pub const MAXIMUM_MUTE_TIME: Code = fault(
+    0xF060,
+    "Maximum Mute Time was reached.",
+    "Remove the load, check the conveyor, then give Reset a rising edge.",
+    "decided",
+);
+
+/// FaultCode 16#F061 of the muting instructions.
+pub const MAXIMUM_OVERRIDE_TIME: Code = fault(
+    0xF061,
+    "Maximum Override Time was reached.",
+    "Release Override, press it again if needed; clear the area, then give Reset a rising edge.",
+    "decided",
+);
+
+/// DiagnosticCode 16#F153 of the muting instructions.
+pub const OVERRIDE_HELD: Code =
+    diagnostic(0xF153, "Override is ON but no override is active and O1 is off.", "Release Override.", "decided");
+
+/// DiagnosticCode 16#F150 of the muting instructions.
+pub const AREA_NOT_CLEAR: Code =
+    diagnostic(0xF150, "Clear Area is on.", "Clear the curtain and the sensors.", "decided");
+
+/// DiagnosticCode 16#F152 of the muting instructions.
+pub const LAMP_STATUS_OFF: Code = diagnostic(0xF152, "Muting Lamp Status is OFF.", "Repair the lamp.", "decided");
+
+/// DiagnosticCode 16#F151 of the muting instructions.
+pub const MUTING_RESET_AWAITED: Code =
+    diagnostic(0xF151, "A reset is awaited.", "Give Reset a rising edge.", "decided");

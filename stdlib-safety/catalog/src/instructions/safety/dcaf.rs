@@ -71,12 +71,7 @@ pub static DCAF: Instruction = Instruction {
                 "Repair the source of the value, then give Reset a rising edge.",
                 "decided",
             ),
-            fault(
-                0xF070,
-                "The channels differed by more than Tolerance for the Discrepancy Time.",
-                "Check the sensors and Tolerance; give Reset a rising edge when the channels agree.",
-                "number decided, cause recalled 85 %",
-            ),
+            codes::CHANNELS_DIFFERED,
             codes::INPUT_STATUS_OFF,
             codes::RESET_HELD,
             diagnostic(
@@ -85,20 +80,10 @@ pub static DCAF: Instruction = Instruction {
                 "Bring the measured value back into its range.",
                 "decided",
             ),
-            diagnostic(
-                0xF171,
-                "A channel is below Low Limit.",
-                "Bring the measured value back into its range.",
-                "decided",
-            ),
-            diagnostic(
-                0xF172,
-                "The channels differ by more than Tolerance now.",
-                "Check the sensors and Tolerance.",
-                "decided",
-            ),
-            diagnostic(0xF174, "Cold start: a reset is awaited.", "Give Reset a rising edge.", "decided"),
-            diagnostic(0xF173, "A reset is awaited after a stop or a fault.", "Give Reset a rising edge.", "decided"),
+            codes::BELOW_LOW_LIMIT,
+            codes::CHANNELS_DIFFER,
+            codes::COLD_START_RESET_AWAITED,
+            codes::ANALOG_RESET_AWAITED,
         ],
         reference: "muting-and-outputs.md 8",
         purpose: "Compares two analog channels of one quantity. O1 is on while both lie within the limits \

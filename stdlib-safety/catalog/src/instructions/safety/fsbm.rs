@@ -2,7 +2,7 @@
 
 use super::choices::RESTART;
 use super::codes;
-use crate::code::{diagnostic, fault};
+use crate::code::fault;
 use crate::execution::KEEPS_FAULT;
 use crate::instruction::{Group, Instruction, Opcode, Position, Requires, SafetyApplication};
 use crate::operand::{
@@ -82,57 +82,14 @@ pub static FSBM: Instruction = Instruction {
         relations: &[],
         codes: &[
             codes::INPUT_STATUS_LOST,
-            fault(
-                0xF06F,
-                "A configuration value of the image is out of its range.",
-                "Download again; Reset does not clear this.",
-                "decided",
-            ),
-            fault(
-                0xF051,
-                "Enable Mute went OFF while the curtain was muted and blocked.",
-                "Clear the area, correct the enable logic, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF052,
-                "Sensors changed in a wrong order, together where the order matters, or from the wrong \
-                 side; curtain clear.",
-                "Clear the area, check alignment, load shape and speed, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF053,
-                "The curtain was blocked during a sequence although it was not muted: a person, or \
-                 sensors too late.",
-                "Clear the area, make sure that nobody is inside, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF054,
-                "A sensor changed wrongly while muted with the curtain blocked.",
-                "Clear the area, check the sensor under the load, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF050,
-                "The muting lamp was bad when a mute started, or during it.",
-                "Repair the lamp (its detection takes up to 6 s); give Reset a rising edge when Muting \
-                 Lamp Status is ON.",
-                "decided",
-            ),
-            fault(
-                0xF058,
-                "S1-S2 Time was reached.",
-                "Clear the area, adjust time, speed or distance, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF059,
-                "S2-LC Time was reached.",
-                "Clear the area, adjust time, speed or distance, then give Reset a rising edge.",
-                "decided",
-            ),
+            codes::CONFIGURATION_OUT_OF_RANGE,
+            codes::ENABLE_MUTE_LOST,
+            codes::WRONG_SENSOR_ORDER,
+            codes::BLOCKED_NOT_MUTED,
+            codes::WRONG_SENSOR_WHILE_MUTED,
+            codes::MUTING_LAMP_BAD,
+            codes::S1_S2_TIME,
+            codes::S2_LC_TIME,
             fault(
                 0xF05A,
                 "LC-S3 Time was reached.",
@@ -145,29 +102,14 @@ pub static FSBM: Instruction = Instruction {
                 "Clear the area, adjust time, speed or distance, then give Reset a rising edge.",
                 "decided",
             ),
-            fault(
-                0xF060,
-                "Maximum Mute Time was reached.",
-                "Remove the load, check the conveyor, then give Reset a rising edge.",
-                "decided",
-            ),
-            fault(
-                0xF061,
-                "Maximum Override Time was reached.",
-                "Release Override, press it again if needed; clear the area, then give Reset a rising edge.",
-                "decided",
-            ),
+            codes::MAXIMUM_MUTE_TIME,
+            codes::MAXIMUM_OVERRIDE_TIME,
             codes::INPUT_STATUS_OFF,
             codes::RESET_HELD,
-            diagnostic(
-                0xF153,
-                "Override is ON but no override is active and O1 is off.",
-                "Release Override.",
-                "decided",
-            ),
-            diagnostic(0xF150, "Clear Area is on.", "Clear the curtain and the sensors.", "decided"),
-            diagnostic(0xF152, "Muting Lamp Status is OFF.", "Repair the lamp.", "decided"),
-            diagnostic(0xF151, "A reset is awaited.", "Give Reset a rising edge.", "decided"),
+            codes::OVERRIDE_HELD,
+            codes::AREA_NOT_CLEAR,
+            codes::LAMP_STATUS_OFF,
+            codes::MUTING_RESET_AWAITED,
         ],
         reference: "muting-and-outputs.md 5",
         purpose: "Four sensors stand in a row, two before and two after the curtain. Direction tells from \
