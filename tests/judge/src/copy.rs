@@ -173,19 +173,64 @@ impl Judge<'_> {
         let count = self.constant(frame, operands[2]);
         self.within(frame, operands[0], &source, count)?;
         self.within(frame, operands[1], &destination, count)?;
-        let types = &frame.project.types;
-        let bytes = size(types, from.type_reference).0;
-        let mut gather = Gather(vec![0; bytes * count as usize]);
-        for index in 0..count {
-            let mut value = self.memory.get(&source.following(index)).clone();
-            walk(types, from.type_reference, &mut value, bytes * index as usize, 0, &mut gather);
-        }
-        let mut scatter = Scatter(gather.0);
-        for index in 0..count {
-            let value = self.memory.get_mut(&destination.following(index));
-            walk(types, to.type_reference, value, bytes * index as usize, 0, &mut scatter);
-        }
+        let bytes = self.bytes_of(frame, &source, from.type_reference, count);
+        self.scatter(frame, &destination, to.type_reference, count, bytes);
         Ok(())
+    }
+
+    /// The first element that an operand means, how many from there on hold so many bytes, and what they hold.
+    pub(crate) fn bytes_from(
+        &mut self,
+        frame: &Frame<'_>,
+        operand: OperandUse,
+        bytes: usize,
+    ) -> Result<(Target, u32, Vec<u8>), Exit> {
+        let (first, reference) = self.first_element(frame, operand)?;
+        let elements = bytes.div_ceil(size(&frame.project.types, reference.type_reference).0) as u32;
+        self.within(frame, operand, &first, elements)?;
+        let held = self.bytes_of(frame, &first, reference.type_reference, elements);
+        Ok((first, elements, held))
+    }
+
+    /// Puts back what `bytes_from` gave, changed.
+    pub(crate) fn put_bytes(
+        &mut self,
+        frame: &Frame<'_>,
+        operand: OperandUse,
+        first: &Target,
+        elements: u32,
+        bytes: Vec<u8>,
+    ) {
+        let Operand::Reference(reference) = frame.project.operand(operand.id) else { panic!("not a reference") };
+        self.scatter(frame, first, reference.type_reference, elements, bytes);
+    }
+
+    fn bytes_of(&self, frame: &Frame<'_>, first: &Target, type_reference: TypeReference, count: u32) -> Vec<u8> {
+        let types = &frame.project.types;
+        let each = size(types, type_reference).0;
+        let mut gather = Gather(vec![0; each * count as usize]);
+        for index in 0..count {
+            let mut value = self.memory.get(&first.following(index)).clone();
+            walk(types, type_reference, &mut value, each * index as usize, 0, &mut gather);
+        }
+        gather.0
+    }
+
+    fn scatter(
+        &mut self,
+        frame: &Frame<'_>,
+        first: &Target,
+        type_reference: TypeReference,
+        count: u32,
+        bytes: Vec<u8>,
+    ) {
+        let types = &frame.project.types;
+        let each = size(types, type_reference).0;
+        let mut scatter = Scatter(bytes);
+        for index in 0..count {
+            let value = self.memory.get_mut(&first.following(index));
+            walk(types, type_reference, value, each * index as usize, 0, &mut scatter);
+        }
     }
 
     pub(crate) fn fill(&mut self, frame: &Frame<'_>, operands: &[OperandUse]) -> Result<(), Exit> {

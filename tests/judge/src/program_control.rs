@@ -150,16 +150,18 @@ impl<'p> Judge<'p> {
     fn system_value(&mut self, frame: &Frame<'p>, opcode: Opcode, operands: &[OperandUse]) -> Result<(), Exit> {
         let Operand::SystemValue(value) = self.operand(frame, operands[2]) else { panic!("no attribute") };
         let attribute = value.attribute;
-        let (first, _) = self.first_element(frame, operands[3])?;
-        self.within(frame, operands[3], &first, attribute.length)?;
         let program = match value.instance {
             SystemInstance::Program(program) => usize::from(program.0),
             _ => usize::from(frame.program),
         };
-        for index in 0..attribute.length as usize {
-            let target = first.following(index as u32);
+        let width = attribute.element.bytes() as usize;
+        let needed = width * attribute.length as usize;
+        let (first, elements, mut bytes) = self.bytes_from(frame, operands[3], needed)?;
+        for (index, place) in bytes[..needed].chunks_exact_mut(width).enumerate() {
             if opcode == Opcode::Ssv {
-                self.records[program][index] = self.memory.integer(&target);
+                let mut word = [0; 4];
+                word[..width].copy_from_slice(place);
+                self.records[program][index] = i32::from_le_bytes(word);
             } else {
                 let number = if attribute.name == MAJOR_FAULT_RECORD {
                     self.records[program][index]
@@ -167,8 +169,11 @@ impl<'p> Judge<'p> {
                     let values = self.system_values.get(&(attribute.number, value.instance));
                     values.and_then(|values| values.get(index)).copied().unwrap_or_default()
                 };
-                self.memory.set_integer(&target, number);
+                place.copy_from_slice(&number.to_le_bytes()[..width]);
             }
+        }
+        if opcode == Opcode::Gsv {
+            self.put_bytes(frame, operands[3], &first, elements, bytes);
         }
         Ok(())
     }
