@@ -25,6 +25,10 @@ pub struct MajorFault {
     pub place: Place,
 }
 
+/// The MajorFaultRecord of a program (general-instructions.md A.10): time low and high, type in the low and code in the
+/// high half of one word, and eight words of information.
+pub type FaultRecord = [i32; 11];
+
 /// How an execution ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ScanEnd {
@@ -122,6 +126,6 @@ pub trait Channel: Sized {
     /// How often EVENT triggered this task in the last scan.
     fn events(&self, task: EventTaskIndex) -> u32;
 
-    /// The MajorFaultRecord of a program (11 words), in plain form; `None` when there is no such program.
-    fn fault_record(&self, program: ProgramIndex) -> Option<[i32; 11]>;
+    /// The MajorFaultRecord of a program, in plain form; `None` when there is no such program.
+    fn fault_record(&self, program: ProgramIndex) -> Option<FaultRecord>;
 }

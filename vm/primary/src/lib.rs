@@ -35,7 +35,7 @@ mod run;
 mod tests;
 
 use twinrung_bytecode::AdmittedImage;
-use twinrung_bytecode::channel::{Channel, Representation, ScanEnd, ScanInputs, Status};
+use twinrung_bytecode::channel::{Channel, FaultRecord, Representation, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, ProgramIndex, WordCell};
 use twinrung_bytecode::layout::TypeLayout;
@@ -111,7 +111,7 @@ impl Channel for Primary {
         self.machine.events.get(task.position()).copied().unwrap_or(0)
     }
 
-    fn fault_record(&self, program: ProgramIndex) -> Option<[i32; 11]> {
+    fn fault_record(&self, program: ProgramIndex) -> Option<FaultRecord> {
         self.machine.records.get(program.position()).copied()
     }
 }

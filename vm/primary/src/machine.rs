@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use twinrung_bytecode::channel::{MajorFault, Status};
+use twinrung_bytecode::channel::{FaultRecord, MajorFault, Status};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::limits;
 use twinrung_catalog::Opcode;
@@ -100,7 +100,7 @@ pub(crate) struct Machine {
     pub(crate) status: Status,
     pub(crate) first_scan_armed: bool,
     pub(crate) events: Vec<u32>,
-    pub(crate) records: Vec<[i32; 11]>,
+    pub(crate) records: Vec<FaultRecord>,
     pub(crate) frames: Vec<Frame>,
     /// Rung condition at a branch's begin, and the OR of its ended legs.
     pub(crate) branches: Vec<(bool, bool)>,
@@ -159,7 +159,7 @@ impl Machine {
             status: Status::default(),
             first_scan_armed: false,
             events: vec![0; image.event_tasks.len()],
-            records: vec![[0; 11]; image.programs.len()],
+            records: vec![FaultRecord::default(); image.programs.len()],
             frames: Vec::with_capacity(FRAMES),
             branches: Vec::with_capacity(BRANCHES),
             visited: vec![false; program.bodies.len()],
@@ -208,7 +208,7 @@ impl Machine {
         self.status = Status::default();
         self.first_scan_armed = false;
         self.events.fill(0);
-        self.records.fill([0; 11]);
+        self.records.fill(FaultRecord::default());
         self.frames.clear();
         self.branches.clear();
         self.visited.fill(false);

@@ -142,7 +142,7 @@ pub(crate) struct Instruction {
     pub(crate) operands: Range,
     /// Its place on the rung.
     pub(crate) element: u32,
-    /// JMP: jump; COP, FLL: copy plan; safety application instruction: call; else unused.
+    /// JMP: jump; COP, FLL, GSV, SSV: copy plan; safety application instruction: call; else unused.
     pub(crate) extra: u32,
 }
 
@@ -227,13 +227,25 @@ pub(crate) struct Argument {
     pub(crate) inside: u32,
 }
 
-/// What COP or FLL moves.
+/// What COP or FLL moves; for GSV and SSV both sides are the data, as many elements as hold the attribute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct CopyPlan {
     /// Elements of the destination.
     pub(crate) length: u32,
     pub(crate) source: Side,
     pub(crate) destination: Side,
+}
+
+impl CopyPlan {
+    /// Bytes of the destination.
+    pub(crate) fn bytes(self) -> u32 {
+        self.length.saturating_mul(self.destination.bytes)
+    }
+
+    /// Elements of the source that hold them.
+    pub(crate) fn source_length(self) -> u32 {
+        self.bytes().checked_div(self.source.bytes).unwrap_or(0)
+    }
 }
 
 /// One side of a copy: what one element is.
@@ -249,6 +261,13 @@ pub(crate) struct Side {
     pub(crate) content: Content,
     /// Elements from a fixed start to the end of the array.
     pub(crate) count: u32,
+}
+
+impl Side {
+    /// Whether so many elements lie in the array behind those that variable subscripts skipped.
+    pub(crate) fn holds(self, skipped: u32, length: u32) -> bool {
+        skipped.saturating_add(length) <= self.count
+    }
 }
 
 /// A call of a safety application instruction.
@@ -281,6 +300,15 @@ pub(crate) struct SystemValue {
     pub(crate) first: u32,
     /// Number of its elements.
     pub(crate) length: u32,
+    /// Bytes of one element.
+    pub(crate) element_bytes: u32,
+}
+
+impl SystemValue {
+    /// Bytes of all its elements.
+    pub(crate) fn bytes(self) -> u32 {
+        self.length.saturating_mul(self.element_bytes)
+    }
 }
 
 /// One step of a body that runs lowered.

@@ -106,7 +106,7 @@ impl Avc {
             self.check.restart(now_ms);
         }
         self.command(&status, members, now_ms);
-        let waits = self.latch.fault == NONE && members[ACTUATE] != 0 && !self.armed;
+        let waits = members[ACTUATE] != 0 && !self.armed;
         let own = if waits { WAITING_FOR_ACTUATE_OFF } else { NONE };
         members[O1] = i32::from(self.o1);
         members[FP] = i32::from(self.latch.fault != NONE);

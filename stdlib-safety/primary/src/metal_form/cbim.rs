@@ -13,7 +13,7 @@ clutch_brake_members! {
     outputs {}
 }
 
-/// Inch Time. 11, decided: an unlimited inch is the unsafe reading.
+/// Inch Time. 11, decided: an inch is always limited.
 const INCH_RANGE_MS: RangeInclusive<i32> = 1..=10_000;
 /// Stopped: Inch Time over. 11.1, decided.
 const INCH_OVER: i32 = 0xF00C;

@@ -179,7 +179,7 @@ impl Csm {
             // Shown early and taken back late.
             Phase::Starting | Phase::Stopping => !inputs.quiet,
         };
-        let waits = self.latch.fault == NONE && self.phase == Phase::Stopped && inputs.request;
+        let waits = self.phase == Phase::Stopped && inputs.request;
         let own = if waits { REQUEST_ON_AT_START } else { NONE };
         members[O1] = i32::from(moves);
         members[FP] = i32::from(self.latch.fault != NONE);

@@ -93,7 +93,7 @@ impl Epms {
         self.latch.settle(new_fault, cause_gone);
         let usable = status.input && self.latch.fault == NONE;
         self.select(selection, members[LOCK] != 0, usable);
-        let own = if self.latch.fault == NONE && self.moved { CHANGE_WHILE_LOCKED } else { NONE };
+        let own = if self.moved { CHANGE_WHILE_LOCKED } else { NONE };
         let output = |position: u8| i32::from(self.active == Some(position));
         members[O1] = output(1);
         members[O2] = output(2);

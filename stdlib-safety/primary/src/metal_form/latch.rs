@@ -59,17 +59,18 @@ impl FaultLatch {
         clears
     }
 
-    /// DiagnosticCode (1.6 rule 4); `own` is the instruction's, shown last. Whether it has one while a fault is
-    /// latched is the instruction's to say.
+    /// DiagnosticCode (1.6 rule 4); `own` is the instruction's, shown last and without a fault only.
     pub(crate) fn diagnostic(&self, status: &Status, cause_gone: bool, own: i32) -> i32 {
         if !status.input {
             INPUT_STATUS
         } else if !status.output {
             OUTPUT_STATUS
-        } else if self.fault != NONE && cause_gone && status.reset && !self.reset_rises {
+        } else if self.fault == NONE {
+            own
+        } else if cause_gone && status.reset && !self.reset_rises {
             RESET_HELD
         } else {
-            own
+            NONE
         }
     }
 }

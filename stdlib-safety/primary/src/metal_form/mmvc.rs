@@ -75,9 +75,8 @@ impl Mmvc {
         }
         self.permitted_before = permitted;
         let own = if missing != NONE {
-            // Told with a status fault latched too (10: 20, 21, 05, then the first missing).
             missing
-        } else if actuate && !self.o1 && self.latch.fault == NONE {
+        } else if actuate && !self.o1 {
             ACTUATE_AGAIN
         } else {
             NONE
@@ -85,7 +84,9 @@ impl Mmvc {
         members[O1] = i32::from(self.o1);
         members[FP] = i32::from(self.latch.fault != NONE);
         members[FAULT_CODE] = self.latch.fault;
-        members[DIAGNOSTIC_CODE] = self.latch.diagnostic(&status, status.good(), own);
+        let diagnostic = self.latch.diagnostic(&status, status.good(), own);
+        // The first missing is told with a fault latched too (10: 20, 21, 05, then the first missing).
+        members[DIAGNOSTIC_CODE] = if diagnostic == NONE { missing } else { diagnostic };
     }
 }
 

@@ -75,8 +75,7 @@ impl Mvc {
         }
         let actuate = members[ACTUATE] != 0;
         self.command(status.good(), actuate, feedback, now_ms);
-        let waits = self.latch.fault == NONE && actuate && !self.on;
-        let own = if waits { ACTUATE_WITHOUT_EFFECT } else { NONE };
+        let own = if actuate && !self.on { ACTUATE_WITHOUT_EFFECT } else { NONE };
         members[O1] = i32::from(self.on);
         members[O2] = i32::from(self.on);
         members[FP] = i32::from(self.latch.fault != NONE);

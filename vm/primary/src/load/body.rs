@@ -15,9 +15,6 @@ use super::{Loader, copy};
 use crate::error::LoadError;
 use crate::program::{AddOnCall, Argument, Code, Instruction, Jump, Label, Location, NONE, Operand, Range, SafetyCall};
 
-/// Elements of the longest attribute that GSV or SSV moves.
-const RECORD: u32 = 11;
-
 /// What is known of a body while it is built.
 struct Building {
     body: u32,
@@ -236,10 +233,15 @@ impl Loader<'_> {
         self.push_plan(copy::plan(length, source, destination)?)
     }
 
-    /// The plan of a GSV or SSV: the side of its data.
+    /// The plan of a GSV or SSV: its data, as many elements as hold the bytes of the attribute.
     fn system_plan(&mut self, operands: Range) -> Result<u32, LoadError> {
+        const MALFORMED: LoadError = LoadError::Malformed("the operands of a GSV or SSV");
+        let Operand::SystemValue(index) = self.program.operand(operands, 2) else { return Err(MALFORMED) };
+        let bytes = self.program.system_values.get(usize::from(index)).ok_or(MALFORMED)?.bytes();
         let side = self.side(self.program.operand(operands, 3))?;
-        self.push_plan(copy::plan(side.count.min(RECORD), side, side)?)
+        let covered = bytes.checked_next_multiple_of(side.bytes).ok_or(MALFORMED)?;
+        let length = covered.checked_div(side.bytes).ok_or(MALFORMED)?;
+        self.push_plan(copy::plan(length, side, side)?)
     }
 
     fn safety_call(&mut self, opcode: Opcode, operands: Range) -> Result<u32, LoadError> {

@@ -14,7 +14,7 @@ use crate::program::{Content, CopyPlan, Operand, Range, Side};
 pub(super) fn plan(length: u32, source: Side, destination: Side) -> Result<CopyPlan, LoadError> {
     let bytes = u64::from(length).saturating_mul(u64::from(destination.bytes.max(source.bytes)));
     if bytes > u64::from(limits::COPY_BYTES) {
-        return Err(LoadError::TooLarge("the bytes of one COP"));
+        return Err(LoadError::TooLarge("the bytes that one instruction moves"));
     }
     Ok(CopyPlan { length, source, destination })
 }
@@ -41,7 +41,7 @@ impl Loader<'_> {
             Content::Structure(index) => self.layouts.get(usize::from(index)).map_or(0, |layout| layout.bytes),
         };
         if bytes > limits::COPY_BYTES {
-            return Err(LoadError::TooLarge("the bytes of one COP"));
+            return Err(LoadError::TooLarge("the bytes that one instruction moves"));
         }
         let fields = self.fields(content);
         Ok(Side { bytes, bit_cells, word_cells, fields, content, count })

@@ -21,7 +21,7 @@ use crate::lower;
 use crate::program::{Body, Content, NONE, Program, ProgramEntry, Range, SystemValue};
 use operand::Binding;
 
-/// Number of the attribute MajorFaultRecord.
+/// Name of the attribute that is a program's fault record.
 const MAJOR_FAULT_RECORD: &str = "MajorFaultRecord";
 
 /// What loading leaves: the program, and what the machine is made of.
@@ -110,7 +110,12 @@ impl Loader<'_> {
                 let instance = u16::try_from(record.instance).unwrap_or(u16::MAX);
                 record.program.map_or(instance, |program| program.0)
             });
-            self.program.system_values.push(SystemValue { record_of, first: record.first, length: attribute.length });
+            self.program.system_values.push(SystemValue {
+                record_of,
+                first: record.first,
+                length: attribute.length,
+                element_bytes: attribute.element.bytes(),
+            });
         }
         Ok(())
     }

@@ -85,10 +85,7 @@ pub(crate) fn writes(instruction: Instruction, index: usize) -> bool {
 pub(crate) fn cells(program: &Program, instruction: Instruction, index: usize) -> (u32, u32) {
     let plan = program.copies.get(instruction.extra as usize);
     let side = match (instruction.opcode, index, plan) {
-        (Opcode::Cop, 0, Some(plan)) => {
-            let bytes = plan.length.saturating_mul(plan.destination.bytes);
-            Some((plan.source, bytes.checked_div(plan.source.bytes).unwrap_or(0)))
-        }
+        (Opcode::Cop, 0, Some(plan)) => Some((plan.source, plan.source_length())),
         (Opcode::Cop | Opcode::Fll, 1, Some(plan)) | (Opcode::Gsv | Opcode::Ssv, 3, Some(plan)) => {
             Some((plan.destination, plan.length))
         }

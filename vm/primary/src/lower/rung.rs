@@ -236,8 +236,7 @@ impl Lowering<'_, '_> {
             Opcode::Fll => {
                 !fill_fits(first, second) || self.out_of_array(instruction) || self.touches_too_much(instruction)
             }
-            Opcode::Gsv => self.lacks_room(instruction) || self.touches_too_much(instruction),
-            Opcode::Cop => self.out_of_array(instruction) || self.touches_too_much(instruction),
+            Opcode::Cop | Opcode::Gsv => self.out_of_array(instruction) || self.touches_too_much(instruction),
             _ => self.touches_too_much(instruction),
         }
     }
@@ -251,21 +250,11 @@ impl Lowering<'_, '_> {
             || operations.iter().any(|operation| matches!(operation, Address { .. } | Index { .. } | LoadAddress))
     }
 
-    /// Whether a copy with fixed operands would run over its array: it faults whenever it is executed.
+    /// Whether a copy or a GSV with fixed operands would run over an array: it faults whenever it is executed.
     fn out_of_array(&self, instruction: Instruction) -> bool {
         let Some(plan) = self.program.copies.get(instruction.extra as usize) else { return true };
-        let bytes = plan.length.saturating_mul(plan.destination.bytes);
-        let source = bytes.checked_div(plan.source.bytes).unwrap_or(0);
-        let source_fits = instruction.opcode == Opcode::Fll || source <= plan.source.count;
-        !source_fits || plan.length > plan.destination.count
-    }
-
-    /// Whether the destination of a GSV has too few elements: it faults whenever it is executed.
-    fn lacks_room(&self, instruction: Instruction) -> bool {
-        let Operand::SystemValue(index) = self.program.operand(instruction.operands, 2) else { return true };
-        let value = self.program.system_values.get(usize::from(index));
-        let plan = self.program.copies.get(instruction.extra as usize);
-        !matches!((value, plan), (Some(value), Some(plan)) if value.length <= plan.destination.count)
+        let source_holds = instruction.opcode == Opcode::Fll || plan.source.holds(0, plan.source_length());
+        !source_holds || !plan.destination.holds(0, plan.length)
     }
 
     fn touches_too_much(&self, instruction: Instruction) -> bool {

@@ -74,9 +74,7 @@ impl<O: Observer> Run<'_, O> {
     /// Evaluates the subscripts of the arguments, in the order of the call.
     fn check_arguments(&mut self, call: AddOnCall) -> Result<(), FaultCode> {
         for argument in call.varying.of(&self.program.arguments) {
-            if let Some(operand) = self.program.operands.get(argument.outside as usize).copied() {
-                self.slot(operand)?;
-            }
+            self.slot(self.program.operand_at(argument.outside))?;
         }
         Ok(())
     }

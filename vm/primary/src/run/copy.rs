@@ -10,32 +10,29 @@ use crate::number::Number;
 use crate::program::{CopyPlan, Instruction, Location, Operand, Side};
 
 impl<O: Observer> Run<'_, O> {
-    fn plan(&self, instruction: Instruction) -> Option<CopyPlan> {
+    /// What a COP, FLL, GSV or SSV moves.
+    pub(super) fn plan(&self, instruction: Instruction) -> Option<CopyPlan> {
         self.program.copies.get(instruction.extra as usize).copied()
     }
 
     /// The first cells of one side, of which `length` elements must lie in its array.
-    fn side_cells(&mut self, operand: Operand, side: Side, length: u32) -> Result<Cells, FaultCode> {
+    pub(super) fn side_cells(&mut self, operand: Operand, side: Side, length: u32) -> Result<Cells, FaultCode> {
         let location = operand.location().unwrap_or(Location { bit: 0, word: 0, formula: crate::program::NONE });
         let cells = self.cells(location)?;
-        if cells.skipped.saturating_add(length) > side.count {
-            return Err(SUBSCRIPT);
-        }
-        Ok(cells)
+        if side.holds(cells.skipped, length) { Ok(cells) } else { Err(SUBSCRIPT) }
     }
 
     /// COP with a true rung.
     pub(super) fn copy(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
         let Some(plan) = self.plan(instruction) else { return Ok(()) };
-        let bytes = plan.length.saturating_mul(plan.destination.bytes);
-        let source_length = bytes.checked_div(plan.source.bytes).unwrap_or(0);
+        let (bytes, source_length) = (plan.bytes(), plan.source_length());
         let source = self.side_cells(self.program.operand(instruction.operands, 0), plan.source, source_length)?;
         let destination =
             self.side_cells(self.program.operand(instruction.operands, 1), plan.destination, plan.length)?;
         if !O::ACTIVE && plan.source.content == plan.destination.content {
             self.copy_cells(source, destination, plan);
         } else {
-            self.gather(source, plan.source, source_length);
+            self.gather(source, plan.source, source_length, bytes);
             self.scatter(destination, plan.destination, plan.length, bytes);
         }
         Ok(())
@@ -49,9 +46,11 @@ impl<O: Observer> Run<'_, O> {
         move_within(&mut self.machine.words, source.word as usize, destination.word as usize, words);
     }
 
-    /// Collects the bytes of elements in the Logix memory layout.
-    pub(super) fn gather(&mut self, from: Cells, side: Side, length: u32) {
-        self.machine.copied.fill(0);
+    /// Collects the bytes of elements in the Logix memory layout; up to `bytes`, those that no member covers are 0.
+    pub(super) fn gather(&mut self, from: Cells, side: Side, length: u32, bytes: u32) {
+        for byte in self.machine.copied.iter_mut().take(bytes as usize) {
+            *byte = 0;
+        }
         let program = self.program;
         for index in 0..length {
             let (bit, word, byte) = element_base(from, side, index);
@@ -73,7 +72,7 @@ impl<O: Observer> Run<'_, O> {
         }
     }
 
-    /// Spreads the first `bytes` collected bytes over the cells of elements; later ones stay.
+    /// Spreads what was collected over the fields that begin in the first `bytes` of elements; later ones stay.
     pub(super) fn scatter(&mut self, to: Cells, side: Side, length: u32, bytes: u32) {
         let program = self.program;
         for index in 0..length {

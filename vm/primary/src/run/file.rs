@@ -99,8 +99,7 @@ impl<O: Observer> Run<'_, O> {
         }
         self.put_flag(file, EN, true);
         if file.is_search && self.flag(file, FD) {
-            let next = self.position(file).wrapping_add(1);
-            self.put_position(file, next);
+            self.pass_hit(file);
         }
         self.begin_file(file);
         self.run_of_elements(file, input, 1)

@@ -21,7 +21,7 @@ mod system;
 mod timer;
 mod transfer;
 
-use twinrung_bytecode::channel::{Place, ScanEnd, ScanInputs};
+use twinrung_bytecode::channel::{FaultRecord, Place, ScanEnd, ScanInputs};
 use twinrung_bytecode::index::{ProgramIndex, RoutineIndex};
 use twinrung_bytecode::observer::Observer;
 
@@ -66,7 +66,7 @@ impl<O: Observer> Run<'_, O> {
         let executed = self.machine.status.executed;
         self.machine.status = twinrung_bytecode::channel::Status { executed, ..Default::default() };
         self.machine.first_scan_armed = true;
-        self.machine.records.fill([0; 11]);
+        self.machine.records.fill(FaultRecord::default());
         // A fault in prescan runs no fault routine: it ends the prescan (REQ-EXEC-051).
         self.machine.handled = true;
         self.machine.hidden.fill(self.inputs.now_ms);

@@ -1,64 +1,57 @@
 //! GSV, SSV and EVENT. general-instructions.md A.8 and A.10.
 
+use twinrung_bytecode::channel::FaultRecord;
 use twinrung_bytecode::observer::Observer;
 
-use twinrung_catalog::Element;
-
-use super::{FaultCode, Run, SUBSCRIPT};
-use crate::number::narrowed;
-use crate::program::{Content, CopyPlan, Instruction, Operand, Side, SystemValue};
+use super::cells::Cells;
+use super::{FaultCode, Run};
+use crate::program::{CopyPlan, Instruction, Operand, SystemValue};
 
 impl<O: Observer> Run<'_, O> {
-    fn system(&self, instruction: Instruction) -> Option<(SystemValue, CopyPlan)> {
+    fn system_value(&self, instruction: Instruction) -> Option<SystemValue> {
         let Operand::SystemValue(index) = self.program.operand(instruction.operands, 2) else { return None };
-        let value = self.program.system_values.get(usize::from(index))?;
-        let plan = self.program.copies.get(instruction.extra as usize)?;
-        Some((*value, *plan))
+        self.program.system_values.get(usize::from(index)).copied()
     }
 
-    /// The first cell of the data, its type, and how many elements of an attribute fit.
-    fn data(&mut self, instruction: Instruction, side: Side) -> Result<Option<(u32, Element, u32)>, FaultCode> {
+    /// Where the data begins, with the bytes of its elements collected; a variable subscript may leave too few.
+    fn data(&mut self, instruction: Instruction) -> Result<Option<(Cells, CopyPlan)>, FaultCode> {
+        let Some(plan) = self.plan(instruction) else { return Ok(None) };
         let operand = self.program.operand(instruction.operands, 3);
-        let Some(location) = operand.location() else { return Ok(None) };
-        let cells = self.cells(location)?;
-        Ok(match side.content {
-            Content::Element(element) => Some((cells.word, element, side.count.saturating_sub(cells.skipped))),
-            Content::Structure(_) => None,
-        })
+        let cells = self.side_cells(operand, plan.destination, plan.length)?;
+        self.gather(cells, plan.destination, plan.length, plan.bytes());
+        Ok(Some((cells, plan)))
     }
 
-    /// GSV with a true rung. REQ-EXEC-019.
+    /// GSV with a true rung: the bytes of the attribute over those that lie there. REQ-EXEC-019.
     pub(super) fn get_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
-        let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
-        let data = self.data(instruction, plan.destination)?;
-        let Some((word, element, room)) = data else { return Ok(()) };
-        // The loader admits only data with room enough; a variable subscript may take it away.
-        if room < value.length {
-            return Err(SUBSCRIPT);
-        }
+        let Some(value) = self.system_value(instruction) else { return Ok(()) };
+        let Some((cells, plan)) = self.data(instruction)? else { return Ok(()) };
         let record = value.record_of.and_then(|program| self.machine.records.get(usize::from(program)).copied());
+        let width = value.element_bytes as usize;
         for index in 0..value.length {
             let number = match &record {
                 Some(record) => record.get(index as usize).copied(),
                 None => self.inputs.system_values.get(value.first.saturating_add(index) as usize).copied(),
             };
-            let (kept, _) = narrowed(number.unwrap_or(0), element);
-            self.write_word(word.saturating_add(index), kept as u32);
+            let bytes = number.unwrap_or(0).to_le_bytes();
+            let first = (index as usize).saturating_mul(width);
+            for (place, byte) in self.machine.copied.iter_mut().skip(first).zip(bytes).take(width) {
+                *place = byte;
+            }
         }
+        self.scatter(cells, plan.destination, plan.length, value.bytes());
         Ok(())
     }
 
-    /// SSV with a true rung: a program's MajorFaultRecord.
+    /// SSV with a true rung: a program's MajorFaultRecord, all of whose elements are DINTs.
     pub(super) fn set_system_value(&mut self, instruction: Instruction) -> Result<(), FaultCode> {
-        let Some((value, plan)) = self.system(instruction) else { return Ok(()) };
-        let data = self.data(instruction, plan.source)?;
-        let (Some((word, _, room)), Some(program)) = (data, value.record_of) else { return Ok(()) };
-        if room < value.length {
-            return Err(SUBSCRIPT);
+        let Some(program) = self.system_value(instruction).and_then(|value| value.record_of) else { return Ok(()) };
+        if self.data(instruction)?.is_none() {
+            return Ok(());
         }
-        let mut record = [0i32; 11];
-        for (index, number) in (0u32..).zip(&mut record) {
-            *number = self.machine.word(word.saturating_add(index));
+        let mut record = FaultRecord::default();
+        for (number, bytes) in record.iter_mut().zip(self.machine.copied.chunks_exact(size_of::<i32>())) {
+            *number = i32::from_le_bytes(bytes.try_into().unwrap_or_default());
         }
         if let Some(slot) = self.machine.records.get_mut(usize::from(program)) {
             *slot = record;

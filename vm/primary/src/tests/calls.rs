@@ -1,19 +1,11 @@
 //! Subscripts in the arguments of JSR and of Add-On calls, and calls on a rung on which a fault was cleared. REQ-EXEC-004,
 //! 023, 030, 032, 051.
 
-use twinrung_bytecode::channel::ScanEnd;
 use twinrung_bytecode::image::Usage;
 
 use super::assembler::Assembler;
-use super::flow::with_record;
+use super::flow::{code, with_record};
 use super::rig::Rig;
-
-fn code(end: ScanEnd) -> u16 {
-    match end {
-        ScanEnd::MajorFault(fault) => fault.code,
-        ScanEnd::Completed | ScanEnd::BudgetExceeded => 0,
-    }
-}
 
 fn subroutine(rungs: &[&str], main: &str) -> Rig {
     let mut assembler = Assembler::new();

@@ -1,15 +1,7 @@
 //! COP, FLL, SIZE, FAL, FSC and subscripts. general-instructions.md 2.6 and A.6.
 
-use twinrung_bytecode::channel::ScanEnd;
-
+use super::flow::code;
 use super::rig::Rig;
-
-fn code(end: ScanEnd) -> u16 {
-    match end {
-        ScanEnd::MajorFault(fault) => fault.code,
-        ScanEnd::Completed | ScanEnd::BudgetExceeded => 0,
-    }
-}
 
 #[test]
 fn copy_when_onto_a_timer_then_shows_the_bits_of_its_first_word() {

@@ -207,19 +207,32 @@ fn event_when_true_then_is_counted_for_the_scan() {
 }
 
 #[test]
-fn system_value_when_destination_is_narrower_then_is_cut_without_overflow() {
-    let mut assembler = assembler("i DINT; p SINT; n INT");
+fn system_value_when_destination_is_of_another_width_then_its_bytes_are_written_low_first() {
+    let mut assembler = assembler("i DINT; p SINT[5]; n INT");
     for (attribute, first) in [(13, 0), (5, 1), (6, 2)] {
         let value = SystemValueRecord { attribute, instance: 0, first, program: None };
         assembler.image.system_values.push(value);
     }
-    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p)"]);
+    assembler.main(&["GSV(SAFETY,,0,i)GSV(TASK,T,1,n)GSV(TASK,T,2,p[0])"]);
     let mut rig = Rig::of(assembler);
-    rig.system_values = alloc::vec![1, 7, 10_000];
+    rig.system_values = alloc::vec![1, 7, 0x0102_8081];
     rig.set("i", 0x0102_0304);
+    rig.set("p[4]", 9);
     rig.scan();
-    assert_eq!(rig.all("i n p"), [1, 7, 16]);
+    assert_eq!(rig.all("i n p[0] p[1] p[2] p[3] p[4]"), [0x0102_0301, 7, -127, -128, 2, 1, 9]);
     assert_eq!((rig.status().overflow, rig.status().minor_faults), (false, 0));
+}
+
+#[test]
+fn system_value_when_destination_is_a_structure_then_covers_its_bits_and_leaves_what_lies_beyond() {
+    let mut assembler = assembler("first DINT; k CONTROL; after DINT");
+    assembler.image.system_values.push(SystemValueRecord { attribute: 2, instance: 0, first: 0, program: None });
+    assembler.main(&["MOV(5,k.POS)MOV(6,k.LEN)GSV(TASK,T,0,k)MOV(k.LEN,after)"]);
+    let mut rig = Rig::of(assembler);
+    rig.system_values = alloc::vec![0x2100_0000, 12];
+    rig.set("k.EN", 1);
+    rig.scan();
+    assert_eq!(rig.all("k.EN k.DN k.FD k.LEN k.POS after"), [0, 1, 1, 12, 5, 12]);
 }
 
 #[test]
