@@ -42,6 +42,7 @@ fn operands_when_of_another_type_then_reported() {
     on_rungs(TAGS, "MOV(<<X>>,A)", &["E0302"]);
     on_rungs(TAGS, "MOV(<<V>>,A)", &["E0302"]);
     on_rungs(TAGS, "TON(<<A>>,500,0)", &["E0302"]);
+    on_rungs(TAGS, "GSV(PROGRAM,THIS,Instance,<<X>>)", &["E0302"]);
     on_rungs(TAGS, "MOV(A[<<0>>],B)".replace("[<<0>>]", "<<[0]>>").as_str(), &["E0302"]);
 }
 
@@ -57,6 +58,7 @@ fn subscripts_and_bits_when_out_of_range_then_reported() {
     on_rungs(TAGS, "MOV(V[<<4>>],A)", &["E0306"]);
     on_rungs(TAGS, "MOV(V[<<-1>>],A)", &["E0306"]);
     on_rungs(TAGS, "XIC(A.<<32>>)OTE(X)", &["E0306"]);
+    on_rungs(TAGS, "GSV(PROGRAM,THIS,MajorFaultRecord,<<V[0]>>)", &["E0306"]);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Operands of a kind of their own: pseudo-operands, lengths, routines, words, system data.
 
 use twinrung_bytecode::image::TypeReference;
-use twinrung_catalog::{Access, ChoiceList};
+use twinrung_bytecode::limits;
+use twinrung_catalog::{Access, ChoiceList, Element};
 use twinrung_grammar::tree;
 
 use super::fit::{check, literal_operand, reference_operand};
@@ -102,7 +103,7 @@ pub(super) fn choice(
     .into())
 }
 
-/// GSV destination and SSV source: enough data of the attribute's kind from its start.
+/// GSV destination and SSV source: as many bytes of integers or structures as the attribute has.
 pub(super) fn system_data(
     reader: &mut RungReader<'_, '_>,
     access: Access,
@@ -115,22 +116,25 @@ pub(super) fn system_data(
         Some(Operand::SystemValue(value)) => value.attribute,
         _ => return Err(Refusal::Reported),
     };
-    let wanted = if attribute.length == 1 {
-        attribute.element.name().to_owned()
-    } else {
-        format!("{} {} from its start", attribute.length, attribute.element.name())
+    let element_bytes = |reference: &Reference| match (reference.shape(), reference.type_reference) {
+        (Shape::Word | Shape::Region, TypeReference::Element(element)) => {
+            matches!(element, Element::Sint | Element::Int | Element::Dint).then(|| element.bytes())
+        }
+        (Shape::Region, TypeReference::Structure(index)) => {
+            let layout = reader.context.types.layout(index);
+            let is_copied = !layout.holds_backing && (1..=limits::COPY_BYTES).contains(&layout.bytes);
+            is_copied.then_some(layout.bytes)
+        }
+        _ => None,
     };
-    let fits = |reference: &Reference| {
-        let element = match (reference.shape(), reference.type_reference) {
-            (Shape::Word | Shape::Region, TypeReference::Element(element)) => element,
-            _ => return false,
-        };
-        element == attribute.element
-    };
-    check(reader, id, name, shown.span, &wanted, fits)?;
-    let count = reader.reference(id).map_or(0, |reference| reference.location.count);
-    if count < attribute.length {
-        let message = format!("{} needs {wanted}; there are {count}", attribute.name);
+    let wanted = "an integer, an array of integers or a structure without backing tags";
+    check(reader, id, name, shown.span, wanted, |reference| element_bytes(reference).is_some())?;
+    let bytes = reader
+        .reference(id)
+        .map_or(0, |reference| element_bytes(reference).unwrap_or_default().saturating_mul(reference.location.count));
+    let needed = attribute.element.bytes() * attribute.length;
+    if bytes < needed {
+        let message = format!("{} has {needed} bytes; there are {bytes} from here on", attribute.name);
         return Err(Finding::new(&SUBSCRIPT_RANGE, shown.span, message).into());
     }
     Ok(id)

@@ -102,7 +102,8 @@ impl Check<'_, '_> {
             TypeReference::Element(element) => matches!(element, Element::Sint | Element::Int | Element::Dint),
             structure => !self.tables.holds_backing(structure),
         };
-        let each = self.tables.bytes(place.type_reference).filter(|_| is_integers).ok_or(too_small.clone())?;
+        let is_copied = |bytes: &u32| is_integers && (1..=limits::COPY_BYTES).contains(bytes);
+        let each = self.tables.bytes(place.type_reference).filter(is_copied).ok_or(too_small.clone())?;
         let needed = attribute.element.bytes().saturating_mul(attribute.length);
         if each.saturating_mul(place.count) < needed {
             return Err(too_small);
