@@ -9,6 +9,7 @@
 //! does not reach it (decided).
 
 use alloc::vec::Vec;
+use core::fmt;
 
 use twinrung_catalog::{Element, PredefinedType};
 
@@ -74,6 +75,19 @@ pub enum LayoutError {
     /// A BOOL array whose length is not a multiple of 32.
     BoolArrayLength,
 }
+
+impl fmt::Display for LayoutError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            LayoutError::NotEarlier => "a member's type is not declared before it",
+            LayoutError::NotInCatalog => "a predefined type is not as the catalog declares it",
+            LayoutError::TooLarge => "a type has too many cells, bytes, elements or levels",
+            LayoutError::BoolArrayLength => "the length of a BOOL array is not a multiple of 32",
+        })
+    }
+}
+
+impl core::error::Error for LayoutError {}
 
 /// Bit and word cells of one element of a type.
 pub fn cells(layouts: &[TypeLayout], type_reference: TypeReference) -> Option<(u32, u32)> {

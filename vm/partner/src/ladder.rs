@@ -127,6 +127,8 @@ pub(crate) struct Span {
     pub(crate) start: Argument,
     /// Elements from there to the end of the innermost array.
     pub(crate) count: u32,
+    /// The type of its elements, where they are elementary.
+    pub(crate) element: Option<Element>,
     /// Bytes of an element.
     pub(crate) bytes: u32,
     /// Bit cells of an element.
@@ -193,8 +195,6 @@ pub(crate) enum Operation {
         operator: u8,
         /// Whether arithmetic is REAL.
         real: bool,
-        /// Whether it is part of a subscript or bit number, which an overflow makes invalid.
-        subscript: bool,
     },
 }
 
@@ -222,9 +222,18 @@ pub(crate) struct Body {
     pub(crate) counters: u32,
 }
 
-/// One copy of a call: from an argument to a parameter or back.
+/// An argument that is copied to a parameter when a call begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Copy {
+pub(crate) struct Input {
+    /// Which of [`Call::arguments`] it is.
+    pub(crate) argument: u32,
+    /// The parameter's cell.
+    pub(crate) parameter: Location,
+}
+
+/// A parameter that is copied to an argument when a call ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Output {
     /// The call's argument.
     pub(crate) argument: Argument,
     /// The parameter's cell.
@@ -234,12 +243,13 @@ pub(crate) struct Copy {
 /// A call of an Add-On Instruction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Call {
-    /// Arguments with subscripts, in declared order: all are looked at before anything is written.
-    pub(crate) subscripted: Vec<Argument>,
+    /// What is looked at before anything is written, in declared order: the arguments of Input parameters, and those
+    /// with subscripts of Output parameters.
+    pub(crate) arguments: Vec<Argument>,
     /// Copied in.
-    pub(crate) inputs: Vec<Copy>,
+    pub(crate) inputs: Vec<Input>,
     /// Copied out.
-    pub(crate) outputs: Vec<Copy>,
+    pub(crate) outputs: Vec<Output>,
     /// Bit cell of EnableIn.
     pub(crate) enable_in: u32,
     /// Bit cell of EnableOut.
@@ -298,8 +308,10 @@ pub(crate) struct Subroutine {
 pub(crate) struct SystemValue {
     /// First position in the values of a scan.
     pub(crate) first: u32,
-    /// Elements.
+    /// Values.
     pub(crate) length: u32,
+    /// Bytes of each.
+    pub(crate) width: u32,
     /// For MajorFaultRecord: whose.
     pub(crate) record_of: Option<ProgramIndex>,
 }

@@ -96,7 +96,7 @@ impl State {
     /// The state after loading. Everything that a scan can need has its room from here on.
     pub(crate) fn new(ladder: &Ladder, size: Size, image_bits: usize, image_words: usize, event_tasks: usize) -> State {
         let arguments = |count: usize| count.saturating_mul(FRAMES).saturating_add(1);
-        let calls = ladder.calls.iter().map(|call| call.inputs.len());
+        let calls = ladder.calls.iter().map(|call| call.arguments.len());
         let subroutines = ladder
             .subroutines
             .iter()

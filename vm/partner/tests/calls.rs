@@ -42,6 +42,25 @@ fn add_on_call_when_a_subscript_of_an_argument_is_out_of_range_then_nothing_of_i
 }
 
 #[test]
+fn add_on_call_when_a_subscript_overflows_then_it_is_out_of_range_and_one_minor_fault_is_logged() {
+    for watched in [false, true] {
+        for (call, minor_faults) in [
+            ("Double(I,A[At + At],B[0],K)", 1),
+            ("Double(I,A[0],B[At + At],K)", 1),
+            // The first that is out of range ends the look.
+            ("Double(I,A[At],B[At + At],K)", 0),
+        ] {
+            let program = format!(")\nROUTINE Main\nN: {call};\nEND_ROUTINE");
+            let mut rig = Rig { watched, ..Rig::new(&project(DOUBLE, &tags(TAGS), &program)) };
+            rig.prescan(0);
+            rig.set("At", i32::MAX);
+            assert_eq!(fault_code(rig.scan(0)), Some(20), "{call}");
+            assert_eq!(rig.status().minor_faults, minor_faults, "{call}");
+        }
+    }
+}
+
+#[test]
 fn add_on_call_when_logic_changes_a_subscript_then_the_output_goes_to_where_it_leads_when_it_is_copied_out() {
     let names = ["I.EnableIn", "I.Sum", "K", "B[1]", "B[2]"];
     called("Double(I,A[2],B[K],K)", 0, 1, None, &names, &[1, 14, 2, 0, 14]);
@@ -117,6 +136,16 @@ fn sbr_when_a_subscript_of_a_later_operand_is_out_of_range_then_none_is_written_
         let (rig, fault) = receiving(at);
         assert_eq!(fault, Some(20));
         assert_eq!(rig.row(&["At", "B[0]", "B[1]", "B[2]"]), [at, 0, 0, 0]);
+    }
+}
+
+#[test]
+fn ret_when_no_jsr_waits_for_it_then_its_operands_are_evaluated_all_the_same() {
+    for (at, fault) in [(2, None), (3, Some(20)), (-1, Some(20))] {
+        let mut rig = rungs(&["A : DINT[3]", "At : DINT"], &["RET(A[At])"]);
+        rig.prescan(0);
+        rig.set("At", at);
+        assert_eq!(fault_code(rig.scan(0)), fault, "{at}");
     }
 }
 

@@ -138,3 +138,37 @@ fn fal_when_an_execution_on_a_true_rung_completes_nothing_then_the_false_rung_is
     rig.scan(30);
     assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [0, 0, 0]);
 }
+
+#[test]
+fn fal_when_numeric_mode_clears_or_starts_then_the_false_rung_is_forgotten() {
+    for (enabled, after) in [(1, [0, 0, 0]), (0, [1, 0, 1])] {
+        let mut rig = completed_on_a_false_rung("ALL");
+        rig.set("K.EN", enabled);
+        rig.set("K.DN", enabled);
+        rig.scan(20);
+        assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), after);
+        rig.set("K.EN", 1);
+        rig.set("K.DN", 1);
+        rig.scan(30);
+        assert_eq!(rig.row(&["K.EN", "K.DN"]), [1, 1]);
+    }
+}
+
+#[test]
+fn fal_when_another_mode_starts_a_run_and_does_not_complete_it_then_the_false_rung_is_remembered() {
+    for (mode, length, fault) in [("INC", 2, None), ("ALL", -1, Some(21))] {
+        let mut rig = completed_on_a_false_rung(mode);
+        rig.set("Go", 0);
+        rig.set("Other", 1);
+        rig.set("K.EN", 0);
+        rig.set("K.POS", 0);
+        rig.set("K.LEN", length);
+        assert_eq!(fault_code(rig.scan(20)), fault, "{mode}");
+        assert_eq!(rig.row(&["K.EN", "K.DN"]), [1, 0], "{mode}");
+        rig.set("Go", 1);
+        rig.set("Other", 0);
+        rig.set("K.DN", 1);
+        rig.scan(30);
+        assert_eq!(rig.row(&["K.EN", "K.DN", "K.POS"]), [0, 0, 0], "{mode}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Decodes the code of one routine for one call into steps, and hands rungs that have no surprises to the panels.
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use twinrung_bytecode::index::{OperandIndex, RoutineIndex};
@@ -21,9 +22,9 @@ struct Pending {
 
 /// What one body collects while it is decoded.
 #[derive(Default)]
-struct Progress<'a> {
-    /// Labels and the rungs that they name.
-    labels: Vec<(&'a [u8], u32)>,
+struct Progress {
+    /// The rung of each label, by its name in lower case.
+    labels: BTreeMap<Vec<u8>, u32>,
     /// First step of each rung.
     starts: Vec<u32>,
     /// JMPs to be patched.
@@ -66,8 +67,8 @@ impl<'a> Loader<'a> {
         Ok(())
     }
 
-    fn labels(&self, job: &Job, code: &'a [u8]) -> Vec<(&'a [u8], u32)> {
-        let mut labels = Vec::new();
+    fn labels(&self, job: &Job, code: &'a [u8]) -> BTreeMap<Vec<u8>, u32> {
+        let mut labels = BTreeMap::new();
         let mut cursor = Cursor::new(code);
         let mut rung = 0u32;
         while let Some(item) = item(&mut cursor) {
@@ -75,7 +76,7 @@ impl<'a> Loader<'a> {
                 Item::EndRung => rung = rung.wrapping_add(1),
                 Item::Instruction(Opcode::Lbl, operands) => {
                     let text = operands.get(0).and_then(|operand| self.text(job.context.library, operand));
-                    labels.extend(text.map(|text| (text, rung)));
+                    labels.extend(text.map(|text| (text.to_ascii_lowercase(), rung)));
                 }
                 _ => {}
             }
@@ -84,7 +85,7 @@ impl<'a> Loader<'a> {
     }
 
     /// Appends a rung's steps, through the open region where that can take it.
-    fn place_rung(&mut self, job: &Job, number: u32, rung: &[Step], labelled: bool, progress: &mut Progress<'_>) {
+    fn place_rung(&mut self, job: &Job, number: u32, rung: &[Step], labelled: bool, progress: &mut Progress) {
         if labelled {
             self.close_region(progress);
         }
@@ -123,7 +124,7 @@ impl<'a> Loader<'a> {
         self.lowering.rung(&mut tables, rung, zone)
     }
 
-    fn close_region(&mut self, progress: &mut Progress<'_>) {
+    fn close_region(&mut self, progress: &mut Progress) {
         let Some(position) = progress.region.take() else { return };
         let end = self.steps.len() as u32;
         let region = self.lowering.close(end, self.initial_bits.len());
@@ -139,7 +140,7 @@ impl<'a> Loader<'a> {
         number: u32,
         cursor: &mut Cursor<'a>,
         rung: &mut Vec<Step>,
-        progress: &mut Progress<'a>,
+        progress: &mut Progress,
     ) -> Result<Option<bool>, LoadError> {
         if item(cursor) != Some(Item::Rung) {
             return Ok(None);
@@ -177,7 +178,7 @@ impl<'a> Loader<'a> {
         element: u16,
         opcode: Opcode,
         operands: Operands<'a>,
-        progress: &mut Progress<'a>,
+        progress: &mut Progress,
     ) -> Result<Step, LoadError> {
         let context = &job.context;
         let broken = LoadError::Routine(job.routine);
@@ -191,10 +192,8 @@ impl<'a> Loader<'a> {
         match opcode {
             Opcode::Lbl | Opcode::Sbr => {}
             Opcode::Jmp => {
-                let label = self.text(context.library, at(0)?).map(<[u8]>::to_vec);
-                let target = label.and_then(|label| {
-                    progress.labels.iter().find(|(text, _)| text.eq_ignore_ascii_case(&label)).map(|(_, rung)| *rung)
-                });
+                let label = self.text(context.library, at(0)?);
+                let target = label.and_then(|label| progress.labels.get(&label.to_ascii_lowercase()).copied());
                 let counter = match target {
                     Some(target) if target <= rung => {
                         let next = self.counters;

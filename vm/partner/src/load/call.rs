@@ -11,7 +11,7 @@ use twinrung_catalog::Element;
 use super::code::Operands;
 use super::context::{Base, Context, Instance};
 use super::{LoadError, Loader};
-use crate::ladder::{Argument, BodyIndex, Call, Copy, Location, PrivateCells};
+use crate::ladder::{Argument, BodyIndex, Call, Input, Location, Output, PrivateCells};
 
 /// The cell of an elementary member whose structure begins at these cells.
 pub(crate) fn member_location(bit: u32, word: u32, element: Element) -> Location {
@@ -42,7 +42,7 @@ impl<'a> Loader<'a> {
             Some(member_location(bit, word, element))
         };
         let mut call = Call {
-            subscripted: Vec::new(),
+            arguments: Vec::new(),
             inputs: Vec::new(),
             outputs: Vec::new(),
             enable_in: 0,
@@ -67,9 +67,6 @@ impl<'a> Loader<'a> {
             let operand = operands.get(next).ok_or_else(broken)?;
             next = next.wrapping_add(1);
             let argument = self.argument(context, operand)?;
-            if matches!(argument, Argument::Dynamic(_)) {
-                call.subscripted.push(argument);
-            }
             if parameter.usage == Usage::InOut {
                 let base = base(argument).ok_or(LoadError::Operand(operand))?;
                 if let Some(entry) = in_outs.get_mut(index) {
@@ -77,11 +74,13 @@ impl<'a> Loader<'a> {
                 }
                 continue;
             }
-            let copy = Copy { argument, parameter: location(parameter).ok_or_else(broken)? };
-            match parameter.usage {
-                Usage::Input => call.inputs.push(copy),
-                Usage::Output => call.outputs.push(copy),
-                Usage::InOut => {}
+            let parameter_cell = location(parameter).ok_or_else(broken)?;
+            if parameter.usage == Usage::Input {
+                call.inputs.push(Input { argument: call.arguments.len() as u32, parameter: parameter_cell });
+                call.arguments.push(argument);
+            } else {
+                call.outputs.push(Output { argument, parameter: parameter_cell });
+                call.arguments.extend(Some(argument).filter(|argument| matches!(argument, Argument::Dynamic(_))));
             }
         }
         let inner = Rc::new(Context {

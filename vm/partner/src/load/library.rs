@@ -1,6 +1,5 @@
 //! The ladder of the safety application instructions as the partner's half of the library carries it.
 
-use alloc::format;
 use alloc::string::ToString;
 use alloc::vec::Vec;
 
@@ -24,7 +23,7 @@ impl Library {
         if read.image_signature() != *admitted {
             return Err(LoadError::LibraryImage("its image signature is not the one that was admitted".into()));
         }
-        let layouts = layouts(&read.image.types).map_err(|why| LoadError::LibraryImage(format!("{why:?}")))?;
+        let layouts = layouts(&read.image.types).map_err(|error| LoadError::LibraryImage(error.to_string()))?;
         Ok(Library { image: read.image, layouts })
     }
 

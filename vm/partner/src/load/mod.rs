@@ -178,6 +178,7 @@ impl<'a> Loader<'a> {
                 SystemValue {
                     first: record.first,
                     length: attribute.map_or(0, |attribute| attribute.length),
+                    width: attribute.map_or(0, |attribute| attribute.element.bytes()),
                     record_of: record.program.filter(|_| is_record),
                 }
             })

@@ -25,7 +25,7 @@ pub(crate) const ADDRESSES: usize = 32;
 
 /// What is still to be emitted, last first.
 enum Task {
-    Value { operand: OperandIndex, real: bool, subscript: bool },
+    Value { operand: OperandIndex, real: bool },
     Emit(Operation),
 }
 
@@ -141,6 +141,7 @@ impl<'a> Loader<'a> {
         self.spans.push(Span {
             start,
             count: if parameter && end.is_element { 1 } else { access.count },
+            element: access.element,
             bytes,
             bits,
             words,
@@ -199,7 +200,7 @@ impl<'a> Loader<'a> {
     ) -> Result<Argument, LoadError> {
         let real = destination_real || self.holds_real(context, operand).ok_or(LoadError::Operand(operand))?;
         let begin = self.operations.len();
-        let tasks = vec![Task::Value { operand, real, subscript: false }];
+        let tasks = vec![Task::Value { operand, real }];
         if !self.emit(context, tasks)? {
             return Err(LoadError::Operand(operand));
         }
@@ -239,13 +240,11 @@ impl<'a> Loader<'a> {
         while let Some(task) = tasks.pop() {
             let operation = match task {
                 Task::Emit(operation) => operation,
-                Task::Value { operand, real, subscript } => {
-                    match self.value_tasks(context, operand, real, subscript, &mut tasks) {
-                        Some(Some(operation)) => operation,
-                        Some(None) => continue,
-                        None => return Ok(false),
-                    }
-                }
+                Task::Value { operand, real } => match self.value_tasks(context, operand, real, &mut tasks) {
+                    Some(Some(operation)) => operation,
+                    Some(None) => continue,
+                    None => return Ok(false),
+                },
             };
             match operation {
                 Operation::Integer(_) | Operation::Real(_) | Operation::Word(..) => values = values.saturating_add(1),
@@ -278,7 +277,6 @@ impl<'a> Loader<'a> {
         context: &Context,
         operand: OperandIndex,
         real: bool,
-        subscript: bool,
         tasks: &mut Vec<Task>,
     ) -> Option<Option<Operation>> {
         let mut cursor = self.entry(context, operand)?;
@@ -310,7 +308,7 @@ impl<'a> Loader<'a> {
                     tasks.push(match cursor.byte()? {
                         format::OPERATION_PUSH => {
                             open.push(index);
-                            Task::Value { operand: OperandIndex(cursor.word()?), real, subscript }
+                            Task::Value { operand: OperandIndex(cursor.word()?), real }
                         }
                         operator => {
                             if operator >= format::OPERATION_MULTIPLY {
@@ -322,7 +320,7 @@ impl<'a> Loader<'a> {
                                     patterns.push(right);
                                 }
                             }
-                            Task::Emit(Operation::Apply { operator, real, subscript })
+                            Task::Emit(Operation::Apply { operator, real })
                         }
                     });
                 }
@@ -352,7 +350,7 @@ fn address_tasks(access: &Access<'_>, location: Location, innermost: usize, stri
         let term = term(bytes)?;
         let inner = index.saturating_add(innermost) >= terms;
         let elements = if inner { term.bits.max(term.words).checked_div(stride)? } else { 0 };
-        tasks.push(Task::Value { operand: term.operand, real: false, subscript: true });
+        tasks.push(Task::Value { operand: term.operand, real: false });
         tasks.push(Task::Emit(Operation::Subscript {
             length: term.length,
             bits: term.bits,
@@ -361,7 +359,7 @@ fn address_tasks(access: &Access<'_>, location: Location, innermost: usize, stri
         }));
     }
     if access.shape == format::SHAPE_WORD_BIT && access.bit_number == format::NO_BIT {
-        tasks.push(Task::Value { operand: OperandIndex(access.bit_operand), real: false, subscript: true });
+        tasks.push(Task::Value { operand: OperandIndex(access.bit_operand), real: false });
         tasks.push(Task::Emit(Operation::BitNumber(access.bit_length)));
     }
     tasks.reverse();

@@ -13,7 +13,7 @@ use super::call::member_location;
 use super::code::Operands;
 use super::context::{Context, Instance};
 use super::{LoadError, Loader, Unit};
-use crate::ladder::{Call, Copy, Location, PrivateCells};
+use crate::ladder::{Call, Input, Location, PrivateCells};
 
 /// The cells of an instance type's elementary member.
 fn cell(unit: Unit<'_>, type_index: TypeIndex, member: usize) -> Option<(u32, u32)> {
@@ -110,7 +110,7 @@ impl<'a> Loader<'a> {
             }
         }
 
-        let (mut inputs, mut configuration) = (Vec::new(), Vec::new());
+        let (mut arguments, mut inputs, mut configuration) = (Vec::new(), Vec::new(), Vec::new());
         for (index, operand) in declaration.operands.iter().skip(1).enumerate() {
             let mirrored = safety.mirrored.get(index).copied().unwrap_or("");
             let target = if mirrored.is_empty() {
@@ -122,7 +122,8 @@ impl<'a> Loader<'a> {
             };
             let Some((parameter, is_configuration)) = target else { continue };
             let argument = self.argument(context, operands.get(index.wrapping_add(1)).ok_or_else(broken)?)?;
-            inputs.push(Copy { argument, parameter });
+            inputs.push(Input { argument: arguments.len() as u32, parameter });
+            arguments.push(argument);
             configuration.push(is_configuration);
         }
         if let Some((name, _)) = unbound.first() {
@@ -136,7 +137,7 @@ impl<'a> Loader<'a> {
             in_outs: Vec::new(),
         });
         let call = Call {
-            subscripted: Vec::new(),
+            arguments,
             inputs,
             outputs: Vec::new(),
             enable_in,

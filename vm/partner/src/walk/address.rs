@@ -184,7 +184,7 @@ impl<O: Observer> Walker<'_, O> {
                     }
                     self.push(depth, value);
                 }
-                Operation::Apply { operator, real, subscript } => {
+                Operation::Apply { operator, real } => {
                     let right = self.pop(depth);
                     let outcome = if operator < format::OPERATION_MULTIPLY {
                         arithmetic::unary(operator, right, real)
@@ -195,7 +195,8 @@ impl<O: Observer> Walker<'_, O> {
                     let Outcome { value, overflow } = outcome;
                     if overflow {
                         self.state.set_overflow();
-                        if subscript {
+                        // An address is open while its subscripts and bit number are evaluated; they are invalid then.
+                        if depth.addresses > 0 {
                             return Err(SUBSCRIPT);
                         }
                     }

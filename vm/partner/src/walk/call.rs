@@ -6,7 +6,7 @@ use super::fault::Fault;
 use super::frame::{Link, Mode};
 use super::math::element_of;
 use super::{Flow, Walker};
-use crate::ladder::{Argument, Call, Location, Step};
+use crate::ladder::{Argument, Call, Input, Location, Step};
 use crate::state::{Bound, Flags};
 
 impl<O: Observer> Walker<'_, O> {
@@ -23,17 +23,14 @@ impl<O: Observer> Walker<'_, O> {
             self.finish_call(false);
             return Ok(());
         };
-        for argument in &call.subscripted {
-            self.locate(*argument)?;
-        }
-        let first = self.bind_all(call.inputs.iter().map(|copy| copy.argument))?;
+        let first = self.bind_all(call.arguments.iter().copied())?;
         self.write_bit_cell(call.enable_in, input);
         if !input {
             self.write_bit_cell(call.enable_out, false);
         }
-        for (number, copy) in call.inputs.iter().enumerate() {
-            let from = self.bound(first.saturating_add(number));
-            self.pass(from, Bound { argument: Argument::Nothing, location: copy.parameter });
+        for input in &call.inputs {
+            let from = self.bound_input(first, *input);
+            self.pass(from, Bound { argument: Argument::Nothing, location: input.parameter });
         }
         if input {
             self.write_bit_cell(call.enable_out, true);
@@ -47,11 +44,16 @@ impl<O: Observer> Walker<'_, O> {
 
     /// Copies the Output parameters to where the subscripts of their arguments now lead.
     fn copy_out(&mut self, call: &Call) -> Result<(), Fault> {
-        for copy in &call.outputs {
-            let to = self.bind(copy.argument)?;
-            self.pass(Bound { argument: Argument::Nothing, location: copy.parameter }, to);
+        for output in &call.outputs {
+            let to = self.bind(output.argument)?;
+            self.pass(Bound { argument: Argument::Nothing, location: output.parameter }, to);
         }
         Ok(())
+    }
+
+    /// Where an argument of the call whose arguments are kept from `first` on was found.
+    fn bound_input(&self, first: usize, input: Input) -> Bound {
+        self.bound(first.saturating_add(input.argument as usize))
     }
 
     pub(super) fn leave_add_on(&mut self, number: u32) -> Flow {
@@ -85,10 +87,10 @@ impl<O: Observer> Walker<'_, O> {
             return self.prescan_safety(step, call);
         }
         let input = self.frame.rail;
-        let first = self.bind_all(call.inputs.iter().map(|copy| copy.argument))?;
-        for (number, copy) in call.inputs.iter().enumerate() {
-            let from = self.bound(first.saturating_add(number));
-            self.mirror(from, copy.parameter);
+        let first = self.bind_all(call.arguments.iter().copied())?;
+        for operand in &call.inputs {
+            let from = self.bound_input(first, *operand);
+            self.mirror(from, operand.parameter);
         }
         self.write_bit_cell(call.enable_in, input);
         let flags = self.state.status;
@@ -132,12 +134,14 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     fn prescan_safety(&mut self, step: Step, call: &Call) -> Result<(), Fault> {
-        let configuration =
-            || call.inputs.iter().zip(&call.configuration).filter(|(_, is_configuration)| **is_configuration);
-        let first = self.bind_all(configuration().map(|(copy, _)| copy.argument))?;
-        for (number, (copy, _)) in configuration().enumerate() {
+        let configuration = || {
+            let inputs = call.arguments.iter().zip(&call.inputs).zip(&call.configuration);
+            inputs.filter_map(|(input, is_configuration)| is_configuration.then_some(input))
+        };
+        let first = self.bind_all(configuration().map(|(argument, _)| *argument))?;
+        for (number, (_, input)) in configuration().enumerate() {
             let from = self.bound(first.saturating_add(number));
-            self.mirror(from, copy.parameter);
+            self.mirror(from, input.parameter);
         }
         self.write_bit_cell(call.enable_in, false);
         self.write_bit_cell(call.enable_out, false);

@@ -5,7 +5,7 @@ use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
-use super::fault::{Fault, LABEL, NESTING, PARAMETERS, STACK};
+use super::fault::{Fault, LABEL, NESTING, STACK};
 use super::frame::{Link, Mode};
 use super::value::Value;
 use super::{Flow, Walker};
@@ -225,12 +225,9 @@ impl<O: Observer> Walker<'_, O> {
                 return Err(Fault(number.bits as u16));
             }
         }
-        // A user fault calls nothing: only behind it the operands of the SBR matter.
-        let bound = match call.receivers.len() > call.inputs.len() {
-            true => Err(PARAMETERS),
-            false => self.bind_all(call.receivers.iter().copied()),
-        };
-        let receivers = bound.inspect_err(|_| self.state.bound.truncate(first))?;
+        // A user fault calls nothing: only behind it the operands of the SBR matter. Admission: they fit those of the JSR.
+        let receivers = self.bind_all(call.receivers.iter().copied());
+        let receivers = receivers.inspect_err(|_| self.state.bound.truncate(first))?;
         self.pass_all(first, receivers, call.receivers.len());
         self.begin(call.body, Mode::Normal, Link::Subroutine(step.first), first)
     }
@@ -246,10 +243,7 @@ impl<O: Observer> Walker<'_, O> {
             return Ok(());
         };
         let Some(call) = ladder.subroutines.get(call as usize) else { return Ok(()) };
-        if call.returns.len() > arguments.len() {
-            self.state.bound.truncate(first);
-            return Err(PARAMETERS);
-        }
+        // Admission: the operands of the RET fit those of the JSR.
         let destinations = (self.frame.bound as usize).saturating_add(call.inputs.len());
         self.pass_all(first, destinations, call.returns.len());
         Ok(())

@@ -6,8 +6,8 @@ use twinrung_catalog::Element;
 use super::Walker;
 use super::bit::at;
 use super::fault::{Fault, SUBSCRIPT};
-use super::math::element_of;
-use crate::ladder::{Argument, Location, Span};
+use super::value::low_bits;
+use crate::ladder::{Argument, Field, Ladder, Location, Span};
 
 /// A span with the place of its first element.
 #[derive(Debug, Clone, Copy)]
@@ -15,23 +15,43 @@ pub(super) struct Stretch {
     span: Span,
     bit: u32,
     word: u32,
-    /// The type of the elements, where they are elementary.
-    element: Element,
     /// Elements from the start to the end of the array.
-    pub(super) count: u32,
+    count: u32,
 }
 
 impl Stretch {
-    /// Bytes of an element.
-    const fn bytes(&self) -> u32 {
-        self.span.bytes
+    /// Bytes of so many elements.
+    const fn bytes(&self, elements: u32) -> u32 {
+        self.span.bytes.saturating_mul(elements)
     }
 
-    /// The word of an element of an elementary type.
-    pub(super) fn element_place(&self, number: u32) -> Location {
-        Location::Word(element_cells(self, number).1, self.element)
+    /// Whether so many bytes lie before the end of the array.
+    pub(super) const fn holds(&self, bytes: u32) -> bool {
+        bytes <= self.bytes(self.count)
+    }
+
+    /// The first cells of an element.
+    const fn cells(&self, number: u32) -> (u32, u32) {
+        let bit = self.bit.wrapping_add(number.wrapping_mul(self.span.bits));
+        let word = self.word.wrapping_add(number.wrapping_mul(self.span.words));
+        (bit, word)
+    }
+
+    /// The elements that the first bytes touch: where each begins, and the fields that begin within those bytes.
+    fn touched<'l>(&self, ladder: &'l Ladder, bytes: u32) -> impl Iterator<Item = (u32, Cells, &'l [Field])> + use<'l> {
+        let stretch = *self;
+        let first = stretch.span.first_field as usize;
+        let fields = ladder.fields.get(first..first.saturating_add(stretch.span.fields as usize)).unwrap_or(&[]);
+        (0..bytes.div_ceil(stretch.span.bytes.max(1))).map(move |number| {
+            let base = stretch.bytes(number);
+            let begun = fields.partition_point(|field| base.saturating_add(field.byte) < bytes);
+            (base, stretch.cells(number), fields.get(..begun).unwrap_or(&[]))
+        })
     }
 }
+
+/// First bit cell and first word cell.
+type Cells = (u32, u32);
 
 impl<O: Observer> Walker<'_, O> {
     /// Finds where a span begins.
@@ -46,33 +66,17 @@ impl<O: Observer> Walker<'_, O> {
             Location::WordBit(..) => return Ok(None),
         };
         let skipped = if span.moves { found.skipped } else { 0 };
-        let count = span.count.saturating_sub(skipped);
-        // The place of an array is a region, which has no type: its elements' only field has it.
-        let element = match self.ladder.fields.get(span.first_field as usize) {
-            Some(field) if span.fields == 1 => field.element,
-            _ => element_of(found.location),
-        };
-        Ok(Some(Stretch { span, bit, word, element, count }))
+        Ok(Some(Stretch { span, bit, word, count: span.count.saturating_sub(skipped) }))
     }
 
-    /// Whether so many bytes fit on their way.
-    fn has_room(&self, bytes: u32) -> bool {
-        bytes as usize <= self.state.bytes.len()
-    }
-
-    /// Collects the bytes of elements from their cells; bytes without a member are 0.
-    fn gather(&mut self, stretch: &Stretch, elements: u32) {
+    /// Collects the first bytes of a stretch from its cells, and the rest of a field that begins in them; bytes without
+    /// a member are 0.
+    pub(super) fn gather(&mut self, stretch: &Stretch, bytes: u32) {
         let ladder = self.ladder;
-        let span = &stretch.span;
-        let total = span.bytes.saturating_mul(elements) as usize;
-        if let Some(bytes) = self.state.bytes.get_mut(..total) {
+        if let Some(bytes) = self.state.bytes.get_mut(..bytes as usize) {
             bytes.fill(0);
         }
-        let first = span.first_field as usize;
-        let fields = ladder.fields.get(first..first.saturating_add(span.fields as usize)).unwrap_or(&[]);
-        for number in 0..elements {
-            let (bit, word) = element_cells(stretch, number);
-            let base = number.saturating_mul(span.bytes);
+        for (base, (bit, word), fields) in stretch.touched(ladder, bytes) {
             for field in fields {
                 let position = base.saturating_add(field.byte) as usize;
                 if field.element == Element::Bool {
@@ -92,34 +96,37 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// Spreads bytes over the cells of elements; bytes without a member are dropped.
-    fn scatter(&mut self, stretch: &Stretch, elements: u32) {
-        let ladder = self.ladder;
-        let span = &stretch.span;
-        let first = span.first_field as usize;
-        let fields = ladder.fields.get(first..first.saturating_add(span.fields as usize)).unwrap_or(&[]);
-        for number in 0..elements {
-            let (bit, word) = element_cells(stretch, number);
-            let base = number.saturating_mul(span.bytes);
+    /// Spreads the first bytes of a stretch over its cells; bytes without a member are dropped.
+    pub(super) fn scatter(&mut self, stretch: &Stretch, bytes: u32) {
+        for (base, (bit, word), fields) in stretch.touched(self.ladder, bytes) {
             for field in fields {
-                let position = base.saturating_add(field.byte) as usize;
-                let mut four = [0u8; 4];
-                for (offset, byte) in four.iter_mut().enumerate() {
-                    *byte = self.state.bytes.get(position.saturating_add(offset)).copied().unwrap_or(0);
-                }
-                let value = i32::from_le_bytes(four);
-                let [low, ..] = four;
+                let value = self.held_word(base.saturating_add(field.byte));
                 match field.element {
                     Element::Bool => {
-                        let value = low.wrapping_shr(u32::from(field.bit)) & 1 != 0;
+                        let value = value.wrapping_shr(u32::from(field.bit)) & 1 != 0;
                         self.write_bit_cell(bit.wrapping_add(field.cell), value);
                     }
-                    element => {
-                        let value = super::value::low_bits(value, element);
-                        self.write_word_cell(word.wrapping_add(field.cell), value);
-                    }
+                    element => self.write_word_cell(word.wrapping_add(field.cell), low_bits(value, element)),
                 }
             }
+        }
+    }
+
+    /// Four of the bytes on their way, low byte first.
+    pub(super) fn held_word(&self, position: u32) -> i32 {
+        let held = self.state.bytes.get(position as usize..).unwrap_or(&[]);
+        let mut four = [0u8; 4];
+        for (byte, from) in four.iter_mut().zip(held) {
+            *byte = *from;
+        }
+        i32::from_le_bytes(four)
+    }
+
+    /// Puts the low bytes of a word among those on their way.
+    pub(super) fn hold_word(&mut self, position: u32, bytes: u32, word: i32) {
+        let held = self.state.bytes.get_mut(position as usize..).unwrap_or_default();
+        for (byte, from) in held.iter_mut().zip(word.to_le_bytes()).take(bytes as usize) {
+            *byte = from;
         }
     }
 
@@ -137,10 +144,9 @@ impl<O: Observer> Walker<'_, O> {
         if length > destination.count {
             return Err(SUBSCRIPT);
         }
-        if self.has_room(destination.bytes().saturating_mul(length)) {
-            self.gather(&source, length);
-            self.scatter(&destination, length);
-        }
+        // Admission: both have elements of one size, and no more bytes than fit on their way.
+        self.gather(&source, source.bytes(length));
+        self.scatter(&destination, destination.bytes(length));
         Ok(input)
     }
 
@@ -154,8 +160,10 @@ impl<O: Observer> Walker<'_, O> {
         if length > destination.count {
             return Err(SUBSCRIPT);
         }
+        let Some(element) = destination.span.element else { return Ok(input) };
         for number in 0..length {
-            self.store_value(destination.element_place(number), value);
+            let (_, word) = destination.cells(number);
+            self.store_value(Location::Word(word, element), value);
         }
         Ok(input)
     }
@@ -175,11 +183,4 @@ fn length(argument: Argument) -> u32 {
         Argument::Integer(length) => u32::try_from(length).unwrap_or(0),
         _ => 0,
     }
-}
-
-/// The first cells of an element.
-fn element_cells(stretch: &Stretch, number: u32) -> (u32, u32) {
-    let bit = stretch.bit.wrapping_add(number.wrapping_mul(stretch.span.bits));
-    let word = stretch.word.wrapping_add(number.wrapping_mul(stretch.span.words));
-    (bit, word)
 }

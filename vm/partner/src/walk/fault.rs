@@ -15,8 +15,6 @@ pub(crate) struct Fault(pub(crate) u16);
 pub(crate) const SUBSCRIPT: Fault = Fault(20);
 /// CONTROL with LEN or POS below 0.
 pub(crate) const CONTROL: Fault = Fault(21);
-/// JSR and SBR or RET do not fit.
-pub(crate) const PARAMETERS: Fault = Fault(31);
 /// Timer with PRE or ACC below 0.
 pub(crate) const TIMER: Fault = Fault(34);
 /// JMP to a label that does not exist.

@@ -6,8 +6,6 @@ use super::Walker;
 use super::bit::at;
 use super::copy::Stretch;
 use super::fault::{Fault, SUBSCRIPT};
-use super::math::element_of;
-use super::value::low_bits;
 use crate::ladder::{Argument, SystemValue};
 use crate::state::RECORD_WORDS;
 
@@ -28,23 +26,26 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
-    /// The destination or source of a system value: as many elements as the attribute has must lie there.
-    fn system_data(&mut self, arguments: &[Argument]) -> Result<Option<(SystemValue, Stretch)>, Fault> {
+    /// The destination or source of a system value, and how many bytes the value has: they must lie there.
+    fn system_data(&mut self, arguments: &[Argument]) -> Result<Option<(SystemValue, Stretch, u32)>, Fault> {
         let data = self.stretch(at(arguments, 1))?;
         let (Some(value), Some(data)) = (self.system_value(at(arguments, 0)), data) else { return Ok(None) };
-        if value.length > data.count { Err(SUBSCRIPT) } else { Ok(Some((value, data))) }
+        let bytes = value.width.saturating_mul(value.length);
+        if data.holds(bytes) { Ok(Some((value, data, bytes))) } else { Err(SUBSCRIPT) }
     }
 
     pub(super) fn gets_system_value(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
         if !input {
             return Ok(input);
         }
-        if let Some((value, data)) = self.system_data(arguments)? {
+        if let Some((value, data, bytes)) = self.system_data(arguments)? {
+            // What lies beyond the value in its last field stays as it is gathered.
+            self.gather(&data, bytes);
             for number in 0..value.length {
                 let word = self.system_word(&value, number);
-                let place = data.element_place(number);
-                self.write_word(place, low_bits(word, element_of(place)));
+                self.hold_word(number.saturating_mul(value.width), value.width, word);
             }
+            self.scatter(&data, bytes);
         }
         Ok(input)
     }
@@ -62,15 +63,17 @@ impl<O: Observer> Walker<'_, O> {
         }
     }
 
+    /// Only the MajorFaultRecord can be set.
     pub(super) fn sets_system_value(&mut self, arguments: &[Argument], input: bool) -> Result<bool, Fault> {
         if !input {
             return Ok(input);
         }
-        if let Some((value, data)) = self.system_data(arguments)? {
+        if let Some((value, data, bytes)) = self.system_data(arguments)? {
             let Some(program) = value.record_of else { return Ok(input) };
+            self.gather(&data, bytes);
             let mut record = [0i32; RECORD_WORDS];
-            for (number, word) in record.iter_mut().take(value.length as usize).enumerate() {
-                *word = self.value_at(data.element_place(number as u32)).bits;
+            for (word, position) in record.iter_mut().zip((0..bytes).step_by(4)) {
+                *word = self.held_word(position);
             }
             if let Some(own) = self.state.records.get_mut(program.position()) {
                 *own = record;
