@@ -18,6 +18,7 @@ mod mutations;
 mod options;
 mod pages;
 mod plant_program;
+mod random_instructions;
 mod refused;
 mod samples;
 mod support;
