@@ -3,12 +3,15 @@
 use twinrung_catalog::Opcode;
 use twinrung_grammar::tree::Span;
 
-use super::network::{Network, Op, Read, Unit, Write};
+use super::initial;
+use super::jumps::Jumps;
+use super::network::{Network, Op, Read, Unit, Write, Zone};
 use super::places::{Places, Slot};
 use super::sequence::Sequences;
+use super::subroutines::Returns;
 use crate::names::{Map, Set};
 use crate::operand::{Location, LocationBase, Operand};
-use crate::project::{AddOnId, Element, Instruction, Project, RoutineId, RoutineOwner, Rung, TagId};
+use crate::project::{AddOnId, Element, Project, RoutineId, RoutineOwner, Rung, TagId};
 
 /// Where the cells of something lie in its tag.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -32,38 +35,69 @@ pub(super) struct Binding {
     pub in_out: Vec<Option<Base>>,
 }
 
+/// The rail of a routine: why it is executed, and why it is not.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rail {
+    pub on: Slot,
+    pub off: Slot,
+}
+
 /// The rails of an instance: of Logic, and of what runs while the rung is false.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rails {
-    pub enabled: Slot,
-    pub disabled: Slot,
+    pub enabled: Rail,
+    pub disabled: Rail,
 }
 
 /// More instances than this are not followed one by one: what goes into a further one is taken to reach all that it writes.
 const INSTANCES_MAX: usize = 20_000;
+/// Nor are further instances when those so far have as many operands in all.
+const OPERANDS_OF_INSTANCES_MAX: usize = 1_000_000;
+
+/// A zone of MCR that is open.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    on: Slot,
+    off: Slot,
+    span: Span,
+    entered: bool,
+}
 
 pub(super) struct Builder<'a> {
     pub project: &'a Project,
     pub network: Network,
     /// The rail of each routine of a program.
-    pub rails: Map<RoutineId, Slot>,
+    pub rails: Map<RoutineId, Rail>,
+    /// What the RETs of each routine hand back.
+    pub returns: Map<RoutineId, Returns>,
+    /// The routine at hand.
+    pub at: RoutineId,
     instances: Map<(AddOnId, Binding), Rails>,
     waiting: Vec<(AddOnId, Binding, Rails)>,
+    /// Operands of each Add-On Instruction's own routines.
+    sizes: Map<AddOnId, usize>,
+    operands_of_instances: usize,
     /// What the rungs of the routine at hand count from.
     pub binding: Binding,
     pub unit: u32,
-    pub sequences: Sequences,
-    /// The rail of what follows on the routine at hand, where a rung may end or jump.
-    next_rail: Option<Slot>,
-    /// The zone of MCR.
-    zone: Option<(Slot, Slot, Span)>,
+    pub sequences: &'a Sequences,
+    /// The jumps of the routine at hand, and which rung of it.
+    jumps: Jumps,
+    number: u32,
+    /// The rungs of the routine at hand on which an MCR stands.
+    zones: Vec<u32>,
+    zone: Option<Open>,
+    /// Cells that were copied one by one.
+    pub cells_copied: u32,
+    /// The rungs of each routine that was built, by its rail.
+    units_of: Map<Slot, std::ops::Range<u32>>,
 }
 
 /// Builds the network of a project. Tags that are too large to be followed cell by cell are judged as one cell.
-pub(crate) fn build(project: &Project) -> Network {
+pub(crate) fn build(project: &Project, sequences: &Sequences) -> Network {
     let mut merged: Set<TagId> = Set::default();
     loop {
-        let network = Builder::new(project, merged.clone()).build();
+        let network = Builder::new(project, sequences, merged.clone()).build();
         if network.places.too_large.is_empty() {
             return network;
         }
@@ -72,18 +106,26 @@ pub(crate) fn build(project: &Project) -> Network {
 }
 
 impl<'a> Builder<'a> {
-    fn new(project: &'a Project, merged: Set<TagId>) -> Builder<'a> {
+    fn new(project: &'a Project, sequences: &'a Sequences, merged: Set<TagId>) -> Builder<'a> {
         Builder {
             project,
             network: Network { places: Places::new(merged), ..Network::default() },
             rails: Map::default(),
+            returns: Map::default(),
+            at: RoutineId(0),
             instances: Map::default(),
             waiting: Vec::new(),
+            sizes: Map::default(),
+            operands_of_instances: 0,
             binding: Binding::default(),
             unit: 0,
-            sequences: Sequences::of(project),
-            next_rail: None,
+            sequences,
+            jumps: Jumps::default(),
+            number: 0,
+            zones: Vec::new(),
             zone: None,
+            cells_copied: 0,
+            units_of: Map::default(),
         }
     }
 
@@ -91,15 +133,16 @@ impl<'a> Builder<'a> {
         let project = self.project;
         let called = called_routines(project);
         for (at, routine) in project.routines.iter().enumerate() {
-            if matches!(routine.owner, RoutineOwner::AddOn(_)) {
-                continue;
-            }
+            let RoutineOwner::Program(program) = routine.owner else { continue };
             let id = RoutineId(at as u32);
-            let rail = self.network.places.joint(None);
+            let rail = self.rail();
             self.rails.insert(id, rail);
-            let entered = project.programs.iter().any(|one| one.main == Some(id) || one.fault == Some(id));
-            if entered || !called.contains(&id) {
-                self.network.rails.push(rail);
+            let program = project.program(program);
+            if program.main == Some(id) || (program.main.is_none() && !called.contains(&id)) {
+                self.network.rails.push(rail.on);
+            } else if program.fault == Some(id) || !called.contains(&id) {
+                // Whether it is executed nobody knows.
+                self.network.rails.extend([rail.on, rail.off]);
             }
         }
         for (at, routine) in project.routines.iter().enumerate() {
@@ -118,12 +161,39 @@ impl<'a> Builder<'a> {
                 self.routine(disabled, rails.disabled);
             }
             if let Some(prescan) = declared.prescan {
-                let rail = self.network.places.joint(None);
-                self.network.rails.push(rail);
+                let rail = self.rail();
+                self.network.rails.extend([rail.on, rail.off]);
                 self.routine(prescan, rail);
             }
         }
+        let order = initial::order(&self.network, &self.units_of, &self.roots());
+        self.network.initial = initial::of(project, &mut self.network, &order);
         self.network
+    }
+
+    /// The rails with which a scan begins, in their order.
+    fn roots(&self) -> Vec<Slot> {
+        let project = self.project;
+        let scheduled = project.safety_task.into_iter().flat_map(|task| &project.tasks[task].schedule);
+        let mut programs: Vec<usize> = scheduled.filter_map(|one| one.program).map(|id| id.position()).collect();
+        // A part of a project has no schedule.
+        let further: Vec<usize> = (0..project.programs.len()).filter(|at| !programs.contains(at)).collect();
+        if programs.is_empty() {
+            programs = further;
+        }
+        programs
+            .into_iter()
+            .flat_map(|at| match project.programs[at].main {
+                Some(main) => vec![main],
+                None => project.programs[at].routines.clone(),
+            })
+            .filter_map(|routine| self.rails.get(&routine))
+            .map(|rail| rail.on)
+            .collect()
+    }
+
+    fn rail(&mut self) -> Rail {
+        Rail { on: self.network.places.joint(None), off: self.network.places.joint(None) }
     }
 
     /// The rails of an instance; nothing when there are too many to follow.
@@ -132,60 +202,61 @@ impl<'a> Builder<'a> {
         if let Some(known) = self.instances.get(&key) {
             return Some(*known);
         }
-        if self.instances.len() >= INSTANCES_MAX {
+        let size = self.size(add_on);
+        if self.instances.len() >= INSTANCES_MAX || self.operands_of_instances + size > OPERANDS_OF_INSTANCES_MAX {
             return None;
         }
-        let rails = Rails { enabled: self.network.places.joint(None), disabled: self.network.places.joint(None) };
+        self.operands_of_instances += size;
+        let rails = Rails { enabled: self.rail(), disabled: self.rail() };
         self.waiting.push((add_on, key.1.clone(), rails));
         self.instances.insert(key, rails);
         Some(rails)
     }
 
-    fn routine(&mut self, id: RoutineId, rail: Slot) {
-        let routine = self.project.routine(id);
-        let labels = self.labels(&routine.rungs);
-        let mut rail = rail;
-        let mut at_labels: Map<&str, (Slot, u32)> = Map::default();
-        let mut ended = 0;
-        self.zone = None;
-        for (number, rung) in routine.rungs.iter().enumerate() {
-            if let Some(label) = label_of(self.project, rung)
-                && let Some((before, endings)) = at_labels.remove(label)
-                && endings == ended
-            {
-                rail = before;
-            }
-            self.next_rail = None;
-            let before = rail;
-            self.rung(id, number as u32, rung, rail);
-            if let Some(next) = self.next_rail.take() {
-                rail = next;
-                let mut jumps = Vec::new();
-                rung.visit(&mut |instruction| match instruction.call.opcode() {
-                    Some(Opcode::Jmp) => jumps.extend(label_name(self.project, instruction)),
-                    Some(Opcode::Tnd | Opcode::Ret) => ended += 1,
-                    _ => {}
-                });
-                for label in jumps.into_iter().filter(|label| labels.get(label).is_some_and(|at| *at > number)) {
-                    at_labels.entry(label).or_insert((before, ended));
-                }
+    /// Operands of an Add-On Instruction's own routines.
+    fn size(&mut self, id: AddOnId) -> usize {
+        if let Some(known) = self.sizes.get(&id) {
+            return *known;
+        }
+        let add_on = self.project.add_on(id);
+        let mut size = 0;
+        for routine in [add_on.logic, add_on.prescan, add_on.enable_in_false].into_iter().flatten() {
+            for rung in &self.project.routine(routine).rungs {
+                rung.visit(&mut |instruction| size += 1 + instruction.operands.len());
             }
         }
+        self.sizes.insert(id, size);
+        size
     }
 
-    fn labels(&self, rungs: &'a [Rung]) -> Map<&'a str, usize> {
-        let project = self.project;
-        rungs.iter().enumerate().filter_map(|(at, rung)| label_of(project, rung).map(|label| (label, at))).collect()
+    fn routine(&mut self, id: RoutineId, rail: Rail) {
+        let rungs: &'a [Rung] = &self.project.routine(id).rungs;
+        self.at = id;
+        self.jumps = self.jumps(rungs);
+        self.zone = None;
+        self.zones = zones(self.project, rungs);
+        let begin = self.network.units.len() as u32;
+        for (number, rung) in rungs.iter().enumerate() {
+            self.rung(number as u32, rung, rail);
+        }
+        self.units_of.insert(rail.on, begin..self.network.units.len() as u32);
     }
 
-    fn rung(&mut self, routine: RoutineId, number: u32, rung: &'a Rung, rail: Slot) {
+    fn rung(&mut self, number: u32, rung: &'a Rung, rail: Rail) {
+        self.number = number;
         self.unit = self.network.units.len() as u32;
         let begin = self.network.ops.len() as u32;
-        let guard = self.read(rail, rung.span);
-        let zone = self.zone.map(|(on, off, span)| (self.read(on, span), self.read(off, span)));
+        let rail = (self.read(rail.on, rung.span), self.read(rail.off, rung.span));
+        let spoil = self.jumps.spoil(number).map(|slot| self.read(slot, rung.span));
+        let zone = self.zone.map(|open| Zone {
+            on: self.read(open.on, open.span),
+            off: self.read(open.off, open.span),
+            entered: open.entered,
+        });
         self.series(&rung.elements);
         let ops = begin..self.network.ops.len() as u32;
-        self.network.units.push(Unit { ops, routine, rung: number, guard, zone, incomplete: rung.incomplete });
+        let (routine, incomplete) = (self.at, rung.incomplete);
+        self.network.units.push(Unit { ops, routine, rung: number, rail, spoil, zone, incomplete });
     }
 
     fn series(&mut self, elements: &'a [Element]) {
@@ -206,16 +277,11 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What follows on this routine is executed only when the rung condition is false here.
-    pub fn may_end(&mut self, span: Span) {
-        let slot = match self.next_rail {
-            Some(slot) => slot,
-            None => self.network.places.joint(None),
-        };
-        self.next_rail = Some(slot);
+    /// The routine may go on elsewhere, or end, when the rung condition is true here.
+    pub fn leave(&mut self, span: Span) {
+        let Some(slot) = self.jumps.leave(self.number) else { return };
         let write = self.write(span);
-        self.op(Op::Nothing);
-        self.op(Op::Break { slot, write });
+        self.op(Op::Leave { slot, write });
     }
 
     /// A zone of MCR begins or ends.
@@ -229,7 +295,9 @@ impl<'a> Builder<'a> {
         self.op(Op::Store { slot: on, write });
         self.op(Op::Nothing);
         self.op(Op::Break { slot: off, write });
-        self.zone = Some((on, off, span));
+        let next = self.zones.partition_point(|rung| *rung <= self.number);
+        let end = self.zones.get(next).copied().unwrap_or(u32::MAX - 1);
+        self.zone = Some(Open { on, off, span, entered: self.jumps.enters(self.number..=end) });
     }
 
     pub fn op(&mut self, op: Op) {
@@ -238,7 +306,7 @@ impl<'a> Builder<'a> {
 
     pub fn read(&mut self, slot: Slot, span: Span) -> u32 {
         let number = self.network.reads.len() as u32;
-        self.network.reads.push(Read { slot, unit: self.unit, span, accepted: false });
+        self.network.reads.push(Read { slot, unit: self.unit, span, accepted: false, early: false });
         number
     }
 
@@ -274,16 +342,17 @@ fn called_routines(project: &Project) -> Set<RoutineId> {
     called
 }
 
-fn label_name<'a>(project: &'a Project, instruction: &Instruction) -> Option<&'a str> {
-    match project.operand(instruction.operands.first()?.id) {
-        Operand::Text(label) => Some(label.as_str()),
-        _ => None,
+/// Rungs on which an MCR stands.
+fn zones(project: &Project, rungs: &[Rung]) -> Vec<u32> {
+    let mut list = Vec::new();
+    if project.opcodes.any(&[Opcode::Mcr]) {
+        for (number, rung) in rungs.iter().enumerate() {
+            rung.visit(&mut |instruction| {
+                if instruction.call.opcode() == Some(Opcode::Mcr) {
+                    list.push(number as u32);
+                }
+            });
+        }
     }
-}
-
-fn label_of<'a>(project: &'a Project, rung: &Rung) -> Option<&'a str> {
-    match rung.elements.first() {
-        Some(Element::Instruction(first)) if first.call.opcode() == Some(Opcode::Lbl) => label_name(project, first),
-        _ => None,
-    }
+    list
 }

@@ -6,11 +6,14 @@ use twinrung_grammar::tree::Span;
 
 use super::builder::Builder;
 use super::network::{Follow, Join, Op};
+use super::operands::Target;
 use crate::operand::{Operand, Reference, Shape};
 use crate::project::{Call, Instruction, OperandUse};
 
 /// A copy of more cells is judged as a whole: every cell of the destination comes from every cell of the source.
 const CELLS_COPIED_ONE_BY_ONE: u32 = 256;
+/// When so many cells were copied one by one, every further copy is judged as a whole.
+const CELLS_COPIED_IN_ALL: u32 = 500_000;
 
 impl<'a> Builder<'a> {
     pub fn instruction(&mut self, instruction: &'a Instruction) {
@@ -31,19 +34,26 @@ impl<'a> Builder<'a> {
             Opcode::Xio => self.contact(first, true),
             Opcode::Afi => self.op(Op::Never),
             Opcode::Ons => {
+                self.set_by_prescan(first);
                 self.coil(first, Follow::Coil);
-                self.op(Op::Edge);
+                self.edge(first);
             }
             Opcode::Ote => self.coil(first, Follow::Coil),
             Opcode::Otl => self.coil(first, Follow::Latch),
             Opcode::Otu => self.coil(first, Follow::Unlatch),
             Opcode::Osr => {
+                self.set_by_prescan(first);
                 self.coil(first, Follow::Coil);
-                self.coil(operands.get(1), Follow::Pulse);
+                // The output follows the edge, the rung goes on as it was.
+                self.op(Op::Open);
+                self.edge(first);
+                self.coil(operands.get(1), Follow::Coil);
+                self.op(Op::Leg);
+                self.op(Op::Close);
             }
             Opcode::Osf => {
                 self.coil(first, Follow::Coil);
-                self.coil(operands.get(1), Follow::Falling);
+                self.falling(first, operands.get(1));
             }
             Opcode::Ton | Opcode::Tof | Opcode::Rto => self.timer(declaration.opcode, first),
             Opcode::Ctu | Opcode::Ctd => self.counter(declaration.opcode, first),
@@ -52,7 +62,8 @@ impl<'a> Builder<'a> {
             Opcode::Cop => self.copy(instruction),
             Opcode::Fll => self.fill(instruction),
             Opcode::Gsv => self.system_value(instruction),
-            Opcode::Jmp | Opcode::Tnd | Opcode::Ret => self.may_end(instruction.span),
+            Opcode::Jmp | Opcode::Tnd => self.leave(instruction.span),
+            Opcode::Ret => self.return_from(instruction),
             Opcode::Jsr => self.subroutine_call(instruction),
             Opcode::Mcr => self.zone(instruction.span),
             Opcode::Ssv | Opcode::Sbr | Opcode::Lbl | Opcode::Nop | Opcode::Event => {}
@@ -96,6 +107,40 @@ impl<'a> Builder<'a> {
             (Some((on, off)), _) => self.op(Op::Bit { on, off, follow, write }),
             (None, Some(slot)) => self.op(Op::Any { slot, write }),
             (None, None) => {}
+        }
+    }
+
+    /// What a one-shot makes of the condition.
+    fn edge(&mut self, storage: Option<&'a OperandUse>) {
+        if let Some(read) = storage.and_then(|one| self.bit_read(one)) {
+            self.op(Op::Edge { on: read.on, off: read.off });
+        }
+    }
+
+    /// The output of OSF: 1 in the scan in which the condition falls, while the storage bit is still 1.
+    fn falling(&mut self, storage: Option<&'a OperandUse>, output: Option<&'a OperandUse>) {
+        let stored = storage.and_then(|one| self.bit_read(one));
+        let Some((one, reference)) = output.and_then(|one| self.reference(one).map(|reference| (one, reference)))
+        else {
+            return;
+        };
+        let Some(Target { bit: Some((on, off)), selectors, .. }) = self.target(reference, one.span) else { return };
+        let write = self.write(one.span);
+        self.op(Op::Clear);
+        self.join_all(&selectors, Join::Series);
+        if let Some(stored) = stored {
+            self.join_all(&[stored.on, stored.off], Join::Taint);
+        }
+        self.op(Op::Bit { on, off, follow: Follow::Falling, write });
+    }
+
+    /// A prescan sets the storage bit of a one-shot.
+    fn set_by_prescan(&mut self, operand: Option<&'a OperandUse>) {
+        if let Some(one) = operand
+            && let Some(reference) = self.reference(one)
+            && let Some(Target { bit: Some((on, _)), .. }) = self.target(reference, one.span)
+        {
+            self.network.set_by_prescan.push(on);
         }
     }
 
@@ -181,9 +226,10 @@ impl<'a> Builder<'a> {
         self.follows(reference, "EN", Follow::Coil, write);
         self.follows(reference, "ACC", Follow::Pulse, write);
         let (timing, done) = match opcode {
-            Opcode::Tof => (Follow::Falling, Follow::Coil),
+            Opcode::Tof => (Follow::Falling, Follow::Held),
             Opcode::Rto => (Follow::Pulse, Follow::Latch),
-            _ => (Follow::Pulse, Follow::Coil),
+            // 0 also while the rung is true and the time has not passed.
+            _ => (Follow::Pulse, Follow::Pulse),
         };
         self.follows(reference, "TT", timing, write);
         self.follows(reference, "DN", done, write);
@@ -262,7 +308,9 @@ impl<'a> Builder<'a> {
         let (bits, words) = self.project.types.cells(target.type_reference);
         let (bits, words) = (bits.saturating_mul(count), words.saturating_mul(count));
         let alike = source.type_reference == target.type_reference && source.is_constant() && target.is_constant();
-        if alike && bits.saturating_add(words) <= CELLS_COPIED_ONE_BY_ONE {
+        let cells = bits.saturating_add(words);
+        if alike && cells <= CELLS_COPIED_ONE_BY_ONE && self.cells_copied + cells <= CELLS_COPIED_IN_ALL {
+            self.cells_copied += cells;
             for at in 0..bits {
                 let (source, target) = (source_base.at(at, 0), target_base.at(at, 0));
                 let read = self.network.places.bit(source.tag, source.bit);

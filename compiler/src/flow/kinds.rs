@@ -84,7 +84,8 @@ impl Kinds {
         self.0 & other.0 == other.0
     }
 
-    fn has_neutral(self) -> bool {
+    /// Whether a path of neither origin is among them.
+    pub fn has_neutral(self) -> bool {
         self.0 & 1 != 0
     }
 }
@@ -136,6 +137,11 @@ impl Value {
             (true, false) => other.from,
         };
         Value { kinds, from }
+    }
+
+    /// The paths of unqualified data alone.
+    pub fn spoil(self) -> Value {
+        if self.kinds.has_unqualified() { Value { kinds: Kinds::UNQUALIFIED, from: self.from } } else { Value::NONE }
     }
 
     /// What an input that can spoil and cannot qualify adds to a path.

@@ -16,6 +16,8 @@ pub(crate) struct Read {
     pub span: Span,
     /// Whether what is read counts as qualified, since the sequence for parameters of an operator terminal is kept.
     pub accepted: bool,
+    /// Whether it may see the initial value, since something that writes the place comes later in the scan.
+    pub early: bool,
 }
 
 /// A write, for the report.
@@ -36,12 +38,26 @@ pub(crate) struct Unit {
     pub routine: RoutineId,
     /// The rung.
     pub rung: u32,
-    /// What must be so for the rung to be executed at all; what it writes stays when it is not.
-    pub guard: u32,
-    /// The zone of MCR that it stands in: what makes the zone enabled, what disabled.
-    pub zone: Option<(u32, u32)>,
+    /// The rail of its routine: why the routine is executed, and why it is not; what it writes stays when it is not.
+    pub rail: (u32, u32),
+    /// What jumps past the rung or ends the routine before it, where something does: this can spoil what the rung
+    /// writes, and never qualifies it.
+    pub spoil: Option<u32>,
+    /// The zone of MCR that it stands in.
+    pub zone: Option<Zone>,
     /// Whether something on the rung was left out as faulty: then nothing is said about it.
     pub incomplete: bool,
+}
+
+/// A zone of MCR.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Zone {
+    /// What makes it enabled.
+    pub on: u32,
+    /// What makes it disabled.
+    pub off: u32,
+    /// Whether a jump leads into it past its begin: then its condition can spoil, and does not qualify.
+    pub entered: bool,
 }
 
 /// How a read joins what was computed so far on a rung.
@@ -55,6 +71,8 @@ pub(crate) enum Join {
     Mixed,
     /// In series; it can spoil and cannot qualify.
     Taint,
+    /// In parallel, as far as it is unqualified.
+    Spoil,
 }
 
 /// How a bit follows the rung condition.
@@ -66,10 +84,12 @@ pub(crate) enum Follow {
     Latch,
     /// OTU: 0 when true.
     Unlatch,
-    /// Either value by either condition: the timing bit of a timer, the pulse of a one-shot.
+    /// The pulse of a one-shot, the timing bit of a timer: 1 when true and, for a one-shot, false before; 0 in any case.
     Pulse,
-    /// The pulse of a falling one-shot: 1 when false.
+    /// The pulse of a falling one-shot, the timing bit of TOF: 1 when false and true before; 0 in any case.
     Falling,
+    /// The done bit of TOF: 1 when true, or true before; 0 when false.
+    Held,
 }
 
 /// One operation. `u32` are positions in [`Network::reads`] and [`Network::writes`].
@@ -81,8 +101,8 @@ pub(crate) enum Op {
     Test,
     /// A contact that is never true.
     Never,
-    /// A one-shot: its output is false also while its input stays true.
-    Edge,
+    /// A one-shot, by its storage bit: its output is true when the bit was 0, and false also when it was 1.
+    Edge { on: u32, off: u32 },
     /// A branch begins.
     Open,
     /// Its next leg begins.
@@ -105,6 +125,17 @@ pub(crate) enum Op {
     Any { slot: Slot, write: u32 },
     /// A BOOL follows the condition, in series with what was computed.
     Bit { on: Slot, off: Slot, follow: Follow, write: u32 },
+    /// A place receives the reasons for which this is not executed with a true condition.
+    Skipped { slot: Slot, write: u32 },
+    /// A place receives the reasons for which this is not executed with a false condition.
+    NotFalse { slot: Slot, write: u32 },
+    /// What is computed may not be stored for the reasons that are read, too.
+    Unless { read: u32 },
+    /// A jump, or the end of the routine: a place receives the reasons for which it is taken or not, and what follows on
+    /// the rung is spoiled by them.
+    Leave { slot: Slot, write: u32 },
+    /// The rung condition becomes that of a bit, which may be 1 while the rung is false.
+    Resume { on: u32, off: u32 },
 }
 
 /// The network.
@@ -115,8 +146,12 @@ pub(crate) struct Network {
     pub ops: Vec<Op>,
     pub reads: Vec<Read>,
     pub writes: Vec<Write>,
-    /// Places where everything is executed: the rails of main routines.
+    /// Places that begin with a path of neither origin: the rails of main routines.
     pub rails: Vec<Slot>,
+    /// Bits that a prescan sets.
+    pub set_by_prescan: Vec<Slot>,
+    /// What places hold before anything runs.
+    pub initial: super::initial::Initial,
     /// Operands of safety instructions that take no unqualified data: the read, and the operand's name.
     pub safety_only: Vec<(u32, &'static str)>,
 }

@@ -17,6 +17,14 @@ pub(super) struct BitRead {
     pub selectors: Vec<u32>,
 }
 
+impl BitRead {
+    /// What makes it 1 and what makes it 0, each with what selects it.
+    pub fn with_selectors(&self) -> (Vec<u32>, Vec<u32>) {
+        let with = |first: u32| std::iter::once(first).chain(self.selectors.iter().copied()).collect();
+        (with(self.on), with(self.off))
+    }
+}
+
 /// Where an operand is written.
 pub(super) struct Target {
     /// What makes it 1, what makes it 0; of a region those of all its BOOLs.
@@ -113,11 +121,11 @@ impl<'a> Builder<'a> {
         match (reference.shape(), reference.location.bit) {
             (Shape::Bit, _) => {
                 let (on, off) = self.bit_slots(base, terms, false);
-                list.extend([self.read(on, span), self.read(off, span)]);
+                list.push(self.read_any(base, &[on, off], span));
             }
             (Shape::WordBit, Some(BitPlace::Constant(bit))) if terms.is_empty() => {
                 let (on, off) = self.network.places.word_bit(base.tag, base.word, bit);
-                list.extend([self.read(on, span), self.read(off, span)]);
+                list.push(self.read_any(base, &[on, off], span));
             }
             (Shape::Word | Shape::WordBit, _) => {
                 let slot = self.word_slot(base, terms, false);
@@ -126,9 +134,15 @@ impl<'a> Builder<'a> {
             (Shape::Region, _) => {
                 let count = region_count(reference);
                 let joints = self.region_slots(base, reference.type_reference, count, terms, false);
-                list.extend(joints.map(|slot| self.read(slot, span)));
+                list.push(self.read_any(base, &joints, span));
             }
         }
+    }
+
+    /// One read of what may be any of these: of the two values of a BOOL one may never come about.
+    fn read_any(&mut self, base: Base, of: &[Slot], span: Span) -> u32 {
+        let slot = self.network.places.any_of(Some(base.tag), of);
+        self.read(slot, span)
     }
 
     /// Reads of everything that the value of an operand depends on.

@@ -8,8 +8,7 @@ use twinrung_catalog::modules::{MemberClass, class_of_input, is_status};
 use super::kinds::Kinds;
 use super::places::{Key, Part};
 use crate::names::{Map, Set};
-use crate::operand::Operand;
-use crate::project::{Call, Project, Tag, TagClass, TagId, TagKind, Types};
+use crate::project::{Project, Tag, TagClass, TagId, TagKind, Types};
 use crate::rules::usage;
 
 /// The kinds that begin at the cells of one tag.
@@ -191,18 +190,11 @@ fn walk(types: &Types, reference: TypeReference, member: &str, kinds: &impl Fn(&
 /// Points of which a safety instruction evaluates a pair.
 fn paired_points(project: &Project) -> Vec<(TagId, Option<u32>, Option<u32>)> {
     let mut found = Vec::new();
-    usage::instructions(project, &mut |_, instruction| {
-        let Call::Catalog(declaration) = instruction.call else { return };
-        let Some(safety) = declaration.safety.filter(|safety| safety.decides.len() > 1) else { return };
-        for (at, one) in instruction.operands.iter().enumerate() {
-            let named = declaration.operand(at).is_some_and(|operand| safety.decides.contains(&operand.name));
-            if let (true, Operand::Reference(reference)) = (named, project.operand(one.id))
-                && let Some(tag) = reference.base_tag()
-            {
-                let is_bit = reference.element() == Some(Element::Bool);
-                let location = &reference.location;
-                found.push((tag, is_bit.then_some(location.bit_cell), (!is_bit).then_some(location.word_cell)));
-            }
+    usage::channels(project, &mut |_, reference| {
+        if let Some(tag) = reference.base_tag() {
+            let is_bit = reference.element() == Some(Element::Bool);
+            let location = &reference.location;
+            found.push((tag, is_bit.then_some(location.bit_cell), (!is_bit).then_some(location.word_cell)));
         }
     });
     found

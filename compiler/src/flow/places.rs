@@ -90,6 +90,7 @@ pub(crate) struct Places {
     /// Places that lead to others without an instruction.
     pub links: Vec<(Slot, Slot)>,
     gathered: Map<(Range, bool), [Slot; 3]>,
+    joined: Map<Vec<Slot>, Slot>,
     /// Tags that are judged as one cell.
     pub merged: Set<TagId>,
     /// Tags that turned out to be too large.
@@ -120,6 +121,25 @@ impl Places {
 
     fn of(&mut self, tag: TagId, part: Part) -> (Slot, bool) {
         self.slot(Key { tag: Some(tag), part })
+    }
+
+    /// A place that something named already.
+    pub fn known(&self, key: Key) -> Option<Slot> {
+        self.slots.get(&key).copied()
+    }
+
+    /// The place of a value that may be any of several.
+    pub fn any_of(&mut self, tag: Option<TagId>, of: &[Slot]) -> Slot {
+        if let [only] = of {
+            return *only;
+        }
+        if let Some(known) = self.joined.get(of) {
+            return *known;
+        }
+        let joint = self.joint(tag);
+        self.links.extend(of.iter().map(|slot| (*slot, joint)));
+        self.joined.insert(of.to_vec(), joint);
+        joint
     }
 
     /// The two places of a BOOL.

@@ -8,7 +8,8 @@ use twinrung_grammar::tree::Span;
 use super::network::Network;
 use super::places::{Key, Part, Slot};
 use super::solve::{Solution, Step};
-use crate::diagnostic::{Finding, RungPlace};
+use crate::diagnostic::Finding;
+use crate::names::Map;
 use crate::project::{Project, TagClass};
 
 /// Steps of a path that are shown; the first and the last ones.
@@ -31,17 +32,51 @@ pub(super) fn path(network: &Network, solution: &Solution, place: Slot) -> Path 
         match solution.step(slot) {
             Step::Source => break,
             Step::Link(from) => slot = from,
-            Step::Rung { read, write } => {
-                steps.push((read, write));
-                match network.reads.get(read as usize) {
-                    Some(read) => slot = read.slot,
-                    None => break,
+            Step::Rung { read, write } => match network.reads.get(read as usize) {
+                Some(one) => {
+                    steps.push((read, write));
+                    slot = one.slot;
                 }
-            }
+                None => break,
+            },
         }
     }
     steps.reverse();
     Path { source: slot, steps }
+}
+
+/// The read with which the path to a place begins; `known` keeps it for every place on the way.
+pub(super) fn begin(
+    network: &Network,
+    solution: &Solution,
+    place: Slot,
+    known: &mut Map<Slot, Option<u32>>,
+) -> Option<u32> {
+    let mut way: Vec<(Slot, Option<u32>)> = Vec::new();
+    let mut slot = place;
+    let mut first = loop {
+        if let Some(found) = known.get(&slot) {
+            break *found;
+        }
+        let (from, read) = match solution.step(slot) {
+            Step::Source => break None,
+            Step::Link(from) => (from, None),
+            Step::Rung { read, .. } => match network.reads.get(read as usize) {
+                Some(one) => (one.slot, Some(read)),
+                None => break None,
+            },
+        };
+        way.push((slot, read));
+        slot = from;
+        if way.len() > network.places.keys.len() {
+            break None;
+        }
+    };
+    for (slot, read) in way.into_iter().rev() {
+        first = first.or(read);
+        known.insert(slot, first);
+    }
+    first
 }
 
 /// Whether a cell holds a number.
@@ -73,13 +108,6 @@ pub(super) fn labelled(project: &Project, network: &Network, path: &Path, findin
         finding = finding.label(write.span, format!("{}. {place}: it goes on from here", at + 1));
     }
     finding
-}
-
-/// The rung that a read stands on.
-pub(super) fn rung_place(project: &Project, network: &Network, unit: u32) -> Option<Box<RungPlace>> {
-    let unit = network.units.get(unit as usize)?;
-    let span = project.routine(unit.routine).rungs.get(unit.rung as usize)?.span;
-    Some(Box::new(RungPlace { routine: project.routine_name(unit.routine), rung: unit.rung, span }))
 }
 
 /// Where the source is declared.

@@ -29,11 +29,15 @@ struct Reader<'a> {
     coils: Map<(TagId, Cell), Option<(&'a Rung, &'a Instruction)>>,
 }
 
+/// So many instructions are looked through before one MOV.
+const LOOKED_THROUGH: usize = 512;
+
 /// What stands before an instruction.
 #[derive(Default)]
 struct Conditions<'a> {
     list: Vec<&'a Instruction>,
     one_shot: bool,
+    looked_through: usize,
 }
 
 impl Sequences {
@@ -53,10 +57,10 @@ impl Sequences {
                 }
                 Some(Opcode::Ote) => reader.coil(rung, instruction, 0),
                 Some(Opcode::Osr) => reader.coil(rung, instruction, 1),
-                Some(Opcode::Otl | Opcode::Otu) => reader.coil(rung, instruction, 0),
                 _ => {}
             });
         });
+        reader.forget_other_writers();
         for (rung, instruction) in moves {
             let missing = reader.missing(rung, instruction);
             if missing.is_empty() {
@@ -100,13 +104,40 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A bit that something else writes too, a latch among others, does not stand for the condition of one rung.
+    fn forget_other_writers(&mut self) {
+        let project = self.project;
+        let coils = &mut self.coils;
+        let mut somewhere: Set<TagId> = Set::default();
+        usage::accesses(project, &mut |access| {
+            if !access.writes {
+                return;
+            }
+            let opcode = access.instruction.call.opcode();
+            let own = matches!((opcode, access.operand), (Some(Opcode::Ote), 0) | (Some(Opcode::Osr), 1));
+            let Some(tag) = access.reference.base_tag() else { return };
+            match usage::cell(access.reference) {
+                Some(_) if own => {}
+                Some(cell) => {
+                    coils.insert((tag, cell), None);
+                }
+                // Which of its cells is not known.
+                None => {
+                    somewhere.insert(tag);
+                }
+            }
+        });
+        coils.retain(|(tag, _), _| !somewhere.contains(tag));
+    }
+
     fn conditions(&self, rung: &'a Rung, instruction: &'a Instruction, depth: usize, out: &mut Conditions<'a>) {
         let mut list = Vec::new();
         before(&rung.elements, instruction, &mut list);
         let begin = out.list.len();
+        out.looked_through += list.len();
         for one in list {
             match one.call.opcode() {
-                Some(Opcode::Ons) => out.one_shot |= examines_bits(&out.list[begin..]),
+                Some(Opcode::Ons) => out.one_shot |= self.acknowledged(&out.list[begin..]),
                 Some(Opcode::Xic) => {
                     let key = one
                         .operands
@@ -114,11 +145,15 @@ impl<'a> Reader<'a> {
                         .and_then(|one| self.reference(one))
                         .and_then(|reference| Some((reference.base_tag()?, usage::cell(reference)?)));
                     match key.and_then(|key| self.coils.get(&key)) {
-                        Some(Some((rung, coil))) if depth < DEPTH && !std::ptr::eq(*coil, instruction) => {
+                        Some(Some((rung, coil)))
+                            if depth < DEPTH
+                                && out.looked_through < LOOKED_THROUGH
+                                && !std::ptr::eq(*coil, instruction) =>
+                        {
                             let before = out.list.len();
                             self.conditions(rung, coil, depth + 1, out);
                             if coil.call.opcode() == Some(Opcode::Osr) {
-                                out.one_shot |= examines_bits(&out.list[before..]);
+                                out.one_shot |= self.acknowledged(&out.list[before..]);
                             }
                         }
                         _ => out.list.push(one),
@@ -210,6 +245,13 @@ impl<'a> Reader<'a> {
         found
     }
 
+    /// Whether a one-shot behind these conditions is the edge of the acknowledgement, and of nothing else: behind a
+    /// comparison it would also rise when the values become equal while the acknowledgement is held.
+    fn acknowledged(&self, before: &[&Instruction]) -> bool {
+        before.iter().all(|one| matches!(one.call.opcode(), Some(Opcode::Xic | Opcode::Xio)))
+            && before.iter().any(|one| self.acknowledges(one))
+    }
+
     /// A contact of a bit that somebody outside writes.
     fn acknowledges(&self, one: &Instruction) -> bool {
         one.call.opcode() == Some(Opcode::Xic)
@@ -218,12 +260,6 @@ impl<'a> Reader<'a> {
                     || matches!(self.project.tag(tag).kind, TagKind::ModuleInput(_) | TagKind::Consumed)
             })
     }
-}
-
-/// Whether nothing but bits stands before a one-shot: else it would also rise when the values become equal while the
-/// acknowledgement is held.
-fn examines_bits(before: &[&Instruction]) -> bool {
-    !before.is_empty() && before.iter().all(|one| matches!(one.call.opcode(), Some(Opcode::Xic | Opcode::Xio)))
 }
 
 fn same(left: &Reference, right: &Reference) -> bool {

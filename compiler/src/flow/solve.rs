@@ -1,8 +1,9 @@
 //! The least fixed point: which kinds of paths lead to each place.
 
-use super::kinds::{Condition, Kinds, NOWHERE, Value};
-use super::network::{Follow, Join, Network, Op};
+use super::kinds::{Kinds, NOWHERE, Value};
+use super::network::{Follow, Network, Op};
 use super::places::{Part, Slot};
+use super::rung::Frame;
 use crate::names::Set;
 
 /// Where what a place holds first came from.
@@ -64,17 +65,8 @@ impl Users {
     }
 }
 
-/// Frames of branches.
-struct Frame {
-    absolute: Condition,
-    relative: Condition,
-    sum: Condition,
-}
-
-const NO_LEG: Condition = Condition { on: Value::NONE, off: Value::NEUTRAL };
-
-struct Solver<'a> {
-    network: &'a Network,
+pub(super) struct Solver<'a> {
+    pub network: &'a Network,
     mended: &'a Set<u32>,
     kinds: Vec<Kinds>,
     steps: Vec<Step>,
@@ -82,8 +74,14 @@ struct Solver<'a> {
     links: Users,
     waiting: std::collections::VecDeque<u32>,
     queued: Vec<bool>,
-    frames: Vec<Frame>,
+    pub frames: Vec<Frame>,
     linked: Vec<Slot>,
+    /// Whether a place is a source: nothing is said of its initial value.
+    is_source: Vec<bool>,
+    /// For each operation the reasons for which it leaves a place as it is.
+    keeps: Vec<Value>,
+    /// By which read and write unqualified data may keep what a place holds.
+    spoiled: Vec<Option<Step>>,
 }
 
 /// Solves the network for sources: what a place holds of itself. Reads that are `mended` count as qualified.
@@ -101,6 +99,9 @@ pub(crate) fn solve(network: &Network, source: impl Fn(Slot) -> Option<Kinds>, m
         queued: vec![true; network.units.len()],
         frames: Vec::new(),
         linked: Vec::new(),
+        is_source: (0..slots as u32).map(|slot| source(slot).is_some()).collect(),
+        keeps: vec![Value::NONE; network.ops.len()],
+        spoiled: vec![None; slots],
     };
     for rail in &network.rails {
         solver.give(*rail, Value::NEUTRAL, Step::Source);
@@ -109,21 +110,32 @@ pub(crate) fn solve(network: &Network, source: impl Fn(Slot) -> Option<Kinds>, m
     for slot in 0..slots as u32 {
         match source(slot) {
             Some(kinds) => solver.give(slot, Value { kinds, from: NOWHERE }, Step::Source),
-            None if !written[slot as usize] => solver.give(slot, Value::NEUTRAL, Step::Source),
-            None => {}
+            None => solver.begin(slot, &written),
         }
     }
     solver.run();
-    // What only itself leads to began with its initial value.
+    // A number of which only itself is known began with its initial value.
     for slot in 0..slots as u32 {
-        let initial =
-            matches!(network.places.keys[slot as usize].part, Part::Off(_) | Part::Word(_) | Part::BitOff(..));
+        let initial = matches!(network.places.keys[slot as usize].part, Part::Word(_));
         if initial && solver.kinds[slot as usize].is_none() {
             solver.give(slot, Value::NEUTRAL, Step::Source);
         }
     }
     solver.run();
     Solution { kinds: solver.kinds, steps: solver.steps }
+}
+
+/// The other place of a bit.
+fn other(network: &Network, slot: Slot) -> Option<Slot> {
+    let key = network.places.keys[slot as usize];
+    let part = match key.part {
+        Part::On(cell) => Part::Off(cell),
+        Part::Off(cell) => Part::On(cell),
+        Part::BitOn(cell, bit) => Part::BitOff(cell, bit),
+        Part::BitOff(cell, bit) => Part::BitOn(cell, bit),
+        Part::Word(_) | Part::Whole(_) | Part::Joint(_) => return None,
+    };
+    network.places.known(super::places::Key { tag: key.tag, part })
 }
 
 /// Which places something writes. A bit of a number is written with the number; a number, where a bit of it is.
@@ -170,7 +182,22 @@ impl Solver<'_> {
         }
     }
 
-    fn give(&mut self, slot: Slot, value: Value, step: Step) {
+    /// What a place holds before anything runs.
+    fn begin(&mut self, slot: Slot, written: &[bool]) {
+        let initial = &self.network.initial;
+        let holds = initial.holds[slot as usize];
+        if matches!(self.network.places.keys[slot as usize].part, Part::Joint(_) | Part::Whole(_)) {
+            return;
+        }
+        let untouched =
+            !written[slot as usize] && other(self.network, slot).is_none_or(|other| !written[other as usize] || !holds);
+        let kept = holds && (initial.seen[slot as usize] || !initial.writers.contains_key(&slot));
+        if untouched || kept {
+            self.give(slot, Value::NEUTRAL, Step::Source);
+        }
+    }
+
+    pub fn give(&mut self, slot: Slot, value: Value, step: Step) {
         self.receive(slot, value.kinds, step);
         while let Some(slot) = self.linked.pop() {
             let kinds = self.kinds[slot as usize];
@@ -184,6 +211,14 @@ impl Solver<'_> {
 
     fn receive(&mut self, slot: Slot, kinds: Kinds, step: Step) {
         let known = self.kinds[slot as usize];
+        let (mut kinds, mut step) = (kinds, step);
+        // What is of neither origin stays only for the reasons that are unqualified.
+        if let Some(spoiled) = self.spoiled[slot as usize].filter(|_| kinds.or(known).has_neutral()) {
+            if !kinds.has_unqualified() {
+                step = spoiled;
+            }
+            kinds = kinds.or(Kinds::UNQUALIFIED);
+        }
         if known.holds(kinds) {
             return;
         }
@@ -199,114 +234,92 @@ impl Solver<'_> {
         }
     }
 
-    fn read(&self, read: u32) -> Value {
+    pub fn read(&self, read: u32) -> Value {
         let one = &self.network.reads[read as usize];
-        let kinds = self.kinds[one.slot as usize];
+        let (mut kinds, mut from) = (self.kinds[one.slot as usize], read);
+        if one.early && !self.is_source[one.slot as usize] {
+            kinds = kinds.or(Kinds::NEUTRAL);
+            if let (false, Some(Step::Rung { read: spoiled, .. })) =
+                (kinds.has_unqualified(), self.spoiled[one.slot as usize])
+            {
+                // The place itself has no path of unqualified data: the path goes on from what keeps the initial value.
+                kinds = kinds.or(Kinds::UNQUALIFIED);
+                from = spoiled;
+            }
+        }
         if kinds.has_unqualified() && (one.accepted || self.mended.contains(&read)) {
             return Value { kinds: kinds.without_unqualified().or(Kinds::QUALIFIED), from: NOWHERE };
         }
-        Value { kinds, from: read }
+        Value { kinds, from }
     }
 
-    fn contact(&self, on: u32, off: u32) -> Condition {
-        Condition { on: self.read(on), off: self.read(off) }
+    pub fn write(&mut self, slot: Slot, value: Value, write: u32) {
+        self.give(slot, value, Step::Rung { read: value.from, write });
     }
 
-    fn unit(&mut self, number: u32) {
-        let network = self.network;
-        let unit = &network.units[number as usize];
-        let guard = self.read(unit.guard);
-        if guard.kinds.is_none() {
-            return;
-        }
-        let mut absolute = match unit.zone {
-            Some((on, off)) => self.contact(on, off),
-            None => Condition::RAIL,
-        };
-        if unit.incomplete {
-            absolute = absolute.series(Condition { on: Value::SAFETY, off: Value::SAFETY });
-        }
-        let mut relative = Condition::RAIL;
-        let mut value = Value::NEUTRAL;
-        self.frames.clear();
-        for op in &network.ops[unit.ops.start as usize..unit.ops.end as usize] {
-            let mut series = |contact: Condition| {
-                absolute = absolute.series(contact);
-                relative = relative.series(contact);
-            };
-            match *op {
-                Op::Contact { on, off, selected: false } => series(self.contact(on, off)),
-                Op::Contact { on, off, selected: true } => {
-                    let contact = self.contact(on, off);
-                    series(Condition { on: contact.on.mixed(value), off: contact.off.mixed(value) });
-                }
-                Op::Test => series(Condition { on: value, off: value }),
-                Op::Never => series(Condition { on: Value::NONE, off: Value::NEUTRAL }),
-                Op::Edge => {
-                    let held = absolute.on;
-                    absolute.off = absolute.off.either(held);
-                    relative.off = relative.off.either(held);
-                }
-                Op::Open => {
-                    self.frames.push(Frame { absolute, relative, sum: NO_LEG });
-                    relative = Condition::RAIL;
-                }
-                Op::Leg | Op::Close => {
-                    let Some(frame) = self.frames.last_mut() else { return };
-                    frame.sum.on = frame.sum.on.either(relative.on);
-                    frame.sum.off = frame.sum.off.series(relative.off);
-                    if matches!(op, Op::Leg) {
-                        absolute = frame.absolute;
-                        relative = Condition::RAIL;
-                    } else {
-                        absolute = frame.absolute.series(frame.sum);
-                        relative = frame.relative.series(frame.sum);
-                        self.frames.pop();
-                    }
-                }
-                Op::Clear => value = Value::NEUTRAL,
-                Op::Nothing => value = Value::NONE,
-                Op::Join { read, how } => {
-                    let joined = self.read(read);
-                    value = match how {
-                        Join::Series => value.series(joined),
-                        Join::Either => value.either(joined),
-                        Join::Mixed => value.mixed(joined),
-                        Join::Taint => value.series(joined.taint()),
-                    };
-                }
-                // What is moved on is named before the conditions on which it is.
-                Op::Store { slot, write } => self.write(slot, value.series(guard.series(absolute.on)), write),
-                Op::Put { slot, write } => self.write(slot, value, write),
-                Op::Break { slot, write } => self.write(slot, guard.series(absolute.off.either(value)), write),
-                Op::Any { slot, write } => {
-                    self.write(slot, guard.series(absolute.on.either(absolute.off)).series(value), write);
-                }
-                Op::Bit { on, off, follow, write } => {
-                    let when_true = guard.series(absolute.on).series(value);
-                    let when_false = guard.series(absolute.off).series(value);
-                    match follow {
-                        Follow::Coil => {
-                            self.write(on, when_true, write);
-                            self.write(off, when_false, write);
-                        }
-                        Follow::Latch => self.write(on, when_true, write),
-                        Follow::Unlatch => self.write(off, when_true, write),
-                        Follow::Pulse => {
-                            self.write(on, when_true, write);
-                            self.write(off, when_true.either(when_false), write);
-                        }
-                        Follow::Falling => {
-                            self.write(on, when_false, write);
-                            self.write(off, when_true.either(when_false), write);
-                        }
-                    }
-                }
+    /// An operation leaves places as they are for these reasons.
+    pub fn keep(&mut self, op: u32, slots: [Option<Slot>; 2], reasons: Value, write: u32) {
+        let known = self.keeps[op as usize];
+        let more = !known.kinds.holds(reasons.kinds);
+        self.keeps[op as usize] = known.either(reasons);
+        for slot in slots.into_iter().flatten() {
+            if more {
+                self.seed(slot, write);
+            }
+            if reasons.kinds.has_unqualified() {
+                self.spoil(slot, reasons, write);
             }
         }
     }
 
-    fn write(&mut self, slot: Slot, value: Value, write: u32) {
-        self.give(slot, value, Step::Rung { read: value.from, write });
+    /// What a place held before anything ran stays for the reasons of all its first writers together.
+    fn seed(&mut self, slot: Slot, write: u32) {
+        let initial = &self.network.initial;
+        if !initial.holds[slot as usize] || self.is_source[slot as usize] {
+            return;
+        }
+        let Some(writers) = initial.writers.get(&slot) else { return };
+        let kept = writers.iter().fold(Value::NEUTRAL, |kept, op| kept.series(self.keeps[*op as usize]));
+        self.write(slot, kept, write);
+    }
+
+    /// Unqualified data decides whether a bit keeps what it holds: what is of neither origin in it becomes unqualified.
+    pub fn spoil(&mut self, slot: Slot, reasons: Value, write: u32) {
+        let key = self.network.places.keys[slot as usize];
+        match key.part {
+            Part::Word(_) | Part::Whole(_) => {}
+            Part::Joint(_) if key.tag.is_none() => {}
+            Part::Joint(_) => self.spoil_elements(slot, reasons, write),
+            Part::On(_) | Part::Off(_) | Part::BitOn(..) | Part::BitOff(..) => self.spoil_bit(slot, reasons, write),
+        }
+    }
+
+    /// The same for every bit that a variable subscript or a region may mean.
+    pub fn spoil_elements(&mut self, slot: Slot, reasons: Value, write: u32) {
+        if !matches!(self.network.places.keys[slot as usize].part, Part::Joint(_)) {
+            return;
+        }
+        let (first, end) = (self.links.first[slot as usize], self.links.first[slot as usize + 1]);
+        for at in first..end {
+            let to = self.links.list[at as usize];
+            if !matches!(self.network.places.keys[to as usize].part, Part::Joint(_)) {
+                self.spoil_bit(to, reasons, write);
+            }
+        }
+    }
+
+    fn spoil_bit(&mut self, slot: Slot, reasons: Value, write: u32) {
+        let number = matches!(self.network.places.keys[slot as usize].part, Part::Word(_) | Part::Whole(_));
+        if number || self.spoiled[slot as usize].is_some() {
+            return;
+        }
+        self.spoiled[slot as usize] = Some(Step::Rung { read: reasons.from, write });
+        let again = self.kinds[slot as usize];
+        self.give(slot, Value { kinds: again, from: NOWHERE }, Step::Rung { read: reasons.from, write });
+        for unit in self.rungs.of_slot(slot) {
+            if !std::mem::replace(&mut self.queued[*unit as usize], true) {
+                self.waiting.push_back(*unit);
+            }
+        }
     }
 }

@@ -2,8 +2,10 @@
 
 use twinrung_catalog::modules;
 use twinrung_catalog::points::{ADAPTERS, CONNECTIONS_OF_ADAPTER};
+use twinrung_grammar::tree::CompactString;
 
 use crate::diagnostic::{Finding, Findings};
+use crate::names::{Map, fold};
 use crate::project::{Module, Project};
 
 rule! {
@@ -31,13 +33,16 @@ rule! {
 
 /// Every adapter of a POINT rack.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let mut of_parent: Map<CompactString, u32> = Map::default();
+    for module in &project.modules {
+        *of_parent.entry(fold(&module.parent)).or_default() += connections(module);
+    }
     for adapter in &project.modules {
-        let number = adapter.catalog_number.split('/').next().unwrap_or_default();
+        let number = modules::without_series(&adapter.catalog_number);
         if !ADAPTERS.iter().any(|one| one.eq_ignore_ascii_case(number)) {
             continue;
         }
-        let attached = || project.modules.iter().filter(|module| module.parent.eq_ignore_ascii_case(&adapter.name));
-        let needed: u32 = attached().map(connections).sum();
+        let needed = of_parent.get(&fold(&adapter.name)).copied().unwrap_or_default();
         if needed > CONNECTIONS_OF_ADAPTER {
             let message = format!(
                 "the safety modules of `{}` need {needed} connections; it has {CONNECTIONS_OF_ADAPTER}",

@@ -3,6 +3,7 @@
 use twinrung_catalog::points::{NETWORK_DELAY_MULTIPLIER, RPI_US, TIMEOUT_MULTIPLIER};
 use twinrung_grammar::tree::{Span, Spanned};
 
+use super::period::milliseconds;
 use crate::diagnostic::{Finding, Findings};
 use crate::project::{Project, TagClass, TagKind};
 
@@ -45,11 +46,6 @@ fn interval(rpi_us: Option<Spanned<u64>>, findings: &mut Findings) {
     let Some(rpi) = rpi_us.filter(|rpi| !(RPI_US.0..=RPI_US.1).contains(&rpi.value)) else { return };
     let message = format!("the requested packet interval is {} ms", milliseconds(rpi.value));
     findings.push(Finding::new(&CODE, rpi.span, message).help("write 6 to 500 ms"));
-}
-
-fn milliseconds(value_us: u64) -> String {
-    let text = format!("{}.{:03}", value_us / 1000, value_us % 1000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn multiplier(what: &str, unit: &str, value: Option<Spanned<u32>>, range: (u32, u32), findings: &mut Findings) {

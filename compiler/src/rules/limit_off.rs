@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::Operand;
-use crate::project::{Call, Project};
+use crate::project::Project;
 use crate::rules::usage;
 
 rule! {
@@ -26,20 +26,12 @@ const LIMITS: &[&str] = &[
     "Maximum Mute Time",
 ];
 
-/// Every call of a safety instruction.
+/// Every operand of a safety instruction.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
-    if !project.opcodes.any_safety() {
-        return;
-    }
-    usage::instructions(project, &mut |_, instruction| {
-        let Call::Catalog(declaration) = instruction.call else { return };
-        for (declared, one) in declaration.operands.iter().zip(&instruction.operands) {
-            if LIMITS.contains(&declared.name) && matches!(project.operand(one.id), Operand::Integer { value: 0, .. }) {
-                let message = format!("{} of {} is 0: it limits nothing", declared.name, declaration.mnemonic);
-                findings.push(
-                    Finding::new(&CODE, one.span, message).help("give it a time that fits the speed of the load"),
-                );
-            }
+    usage::safety_operands(project, &mut |one| {
+        if LIMITS.contains(&one.name) && matches!(one.operand, Operand::Integer { value: 0, .. }) {
+            let message = format!("{} of {} is 0: it limits nothing", one.name, one.mnemonic);
+            findings.push(Finding::new(&CODE, one.span, message).help("give it a time that fits the speed of the load"));
         }
     });
 }

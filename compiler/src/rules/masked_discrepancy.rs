@@ -1,10 +1,10 @@
 //! Dual-channel evaluation in a module whose pair a safety instruction evaluates. 1756-RM093, SIL 2 Safety Inputs.
 
 use twinrung_catalog::Element;
+use twinrung_grammar::tree::Span;
 
 use crate::diagnostic::{Finding, Findings};
-use crate::operand::Operand;
-use crate::project::{Call, Project, TagKind};
+use crate::project::{Project, TagKind};
 use crate::rules::usage;
 
 rule! {
@@ -21,24 +21,20 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     if !project.modules.iter().any(|module| module.points.iter().any(|point| point.is_dual())) {
         return;
     }
-    usage::instructions(project, &mut |_, instruction| {
-        let Call::Catalog(declaration) = instruction.call else { return };
-        let Some(safety) = declaration.safety else { return };
-        for (at, one) in instruction.operands.iter().enumerate() {
-            let channel = declaration.operand(at).is_some_and(|operand| safety.decides.contains(&operand.name));
-            let Operand::Reference(reference) = project.operand(one.id) else { continue };
-            let Some(tag) = reference.base_tag().filter(|_| channel && safety.decides.len() > 1) else { continue };
-            let TagKind::ModuleInput(module) = project.tag(tag).kind else { continue };
-            let module = &project.modules[module];
-            let member = usage::last_member(project, reference);
-            let point = module.point_of(&member).filter(|point| point.is_dual());
-            let single = reference.element().is_some_and(|element| element != Element::Real);
-            if let Some(point) = point.filter(|_| single) {
-                let message = format!("{} evaluates a channel that {} evaluates already", declaration.mnemonic, module.name);
-                let finding = Finding::new(&CODE, one.span, message).label(point.span, "configured as one of a pair here");
-                findings.push(finding.help("set both points to Type := SINGLE"));
-                return;
-            }
+    let mut reported: Option<Span> = None;
+    usage::channels(project, &mut |channel, reference| {
+        let call = channel.instruction.span;
+        let Some(tag) = reference.base_tag().filter(|_| reported != Some(call)) else { return };
+        let TagKind::ModuleInput(module) = project.tag(tag).kind else { return };
+        let module = &project.modules[module];
+        let member = usage::last_member(project, reference);
+        let point = module.point_of(&member).filter(|point| point.is_dual());
+        let single = reference.element().is_some_and(|element| element != Element::Real);
+        if let Some(point) = point.filter(|_| single) {
+            reported = Some(call);
+            let message = format!("{} evaluates a channel that {} evaluates already", channel.mnemonic, module.name);
+            let finding = Finding::new(&CODE, channel.span, message).label(point.span, "configured as one of a pair here");
+            findings.push(finding.help("set both points to Type := SINGLE"));
         }
     });
 }

@@ -30,9 +30,6 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
 
 /// Microseconds as people read them.
 pub(crate) fn milliseconds(microseconds: u64) -> String {
-    if microseconds.is_multiple_of(1000) {
-        (microseconds / 1000).to_string()
-    } else {
-        format!("{}.{:03}", microseconds / 1000, microseconds % 1000)
-    }
+    let text = format!("{}.{:03}", microseconds / 1000, microseconds % 1000);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -1,6 +1,7 @@
 //! Points that a module evaluates as a pair. 1734-UM013, Configure the Safety Digital Inputs; Table 18.
 
 use crate::diagnostic::{Finding, Findings};
+use crate::names::Map;
 use crate::project::module::point_number;
 use crate::project::{Point, Project};
 
@@ -18,6 +19,12 @@ const OPERATION: [&str; 3] = ["Type", "Channel", "DiscrepancyTime"];
 /// Every pair of which both points are set, and every STANDARD point of a dual channel.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
     for module in project.modules.iter().filter(|module| !module.known_points().is_empty()) {
+        let mut by_number: Map<(char, u32), &Point> = Map::default();
+        for point in &module.points {
+            if let Some(number) = point_number(&point.name) {
+                by_number.entry(number).or_insert(point);
+            }
+        }
         for point in &module.points {
             if let (true, Some(mode)) = (point.is_dual(), point.setting("Mode"))
                 && mode.value.eq_ignore_ascii_case("STANDARD")
@@ -27,7 +34,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                 findings.push(finding.help("set Mode := SAFETY or SAFETY_PULSE_TEST, or Type := SINGLE"));
             }
             let Some((letter, number)) = point_number(&point.name).filter(|(_, number)| number % 2 == 1) else { continue };
-            let Some(first) = module.point(letter, number - 1) else { continue };
+            let Some(first) = by_number.get(&(letter, number - 1)).copied() else { continue };
             let differs = OPERATION.into_iter().find(|key| operation(first, key) != operation(point, key));
             if let Some(key) = differs.filter(|_| is_dual(first) || is_dual(point)) {
                 let message = format!("{} and {} are a pair and differ in {key}", first.name, point.name);

@@ -105,7 +105,7 @@ fn value(key: &str, declared: SettingValue, setting: &Setting, findings: &mut Fi
 impl Module {
     /// What is known of its points.
     pub(crate) fn known_points(&self) -> &'static [&'static Points] {
-        let number = self.catalog_number.split('/').next().unwrap_or_default().to_ascii_uppercase();
+        let number = twinrung_catalog::modules::without_series(&self.catalog_number).to_ascii_uppercase();
         points::of_module(&number)
     }
 }

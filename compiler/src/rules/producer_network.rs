@@ -1,8 +1,11 @@
 //! The producing controller of a consumed safety tag. 1756-RM093, Safety Network Number for Safety Consumed Tags.
 
+use twinrung_grammar::tree::CompactString;
+
 use super::network_number::bytes;
 use crate::diagnostic::{Finding, Findings};
-use crate::project::{Project, TagClass, TagKind};
+use crate::names::{Map, fold};
+use crate::project::{Module, Project, TagClass, TagKind};
 
 rule! {
     /// A consumed safety tag whose producer has no safety network number here.
@@ -17,9 +20,13 @@ rule! {
 
 /// Every consumed safety tag of a whole project.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
+    let mut modules: Map<CompactString, &Module> = Map::default();
+    for module in &project.modules {
+        modules.entry(fold(&module.name)).or_insert(module);
+    }
     for tag in project.tags.iter().filter(|tag| tag.class == TagClass::Safety && matches!(tag.kind, TagKind::Consumed)) {
         let Some(producer) = tag.connection.as_ref().and_then(|info| info.producer.as_ref()) else { continue };
-        let Some(module) = project.modules.iter().find(|module| module.name.eq_ignore_ascii_case(producer.as_str())) else {
+        let Some(module) = modules.get(&fold(producer.as_str())) else {
             // A partial export has no I/O tree, and what stands in a text alone may have none yet.
             continue;
         };

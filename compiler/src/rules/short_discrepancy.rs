@@ -2,7 +2,7 @@
 
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::Operand;
-use crate::project::{Call, Project};
+use crate::project::Project;
 use crate::rules::usage;
 
 rule! {
@@ -14,23 +14,19 @@ rule! {
     bad: sample!("    E : DCI_STOP (Class := Safety);\n    A, B, S, R : BOOL (Class := Safety);\n", "      N: DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,<<39>>,MANUAL,MANUAL,A,B,S,R);\n")
 }
 
-/// Every call of a safety instruction.
+/// Every operand of a safety instruction.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
-    let period = project.safety_task.and_then(|at| project.tasks[at].period_us);
-    let Some((period_us, _)) = period.filter(|_| project.opcodes.any_safety()) else { return };
-    usage::instructions(project, &mut |_, instruction| {
-        let Call::Catalog(declaration) = instruction.call else { return };
-        for (declared, one) in declaration.operands.iter().zip(&instruction.operands) {
-            let Operand::Integer { value, .. } = *project.operand(one.id) else { continue };
-            let time_us = u64::from(value.unsigned_abs()) * 1000;
-            if declared.name == "Discrepancy Time" && time_us < 2 * period_us {
-                let message = format!(
-                    "Discrepancy Time of {} is {value} ms, and the safety task runs each {} ms",
-                    declaration.mnemonic,
-                    period_us as f64 / 1000.0
-                );
-                findings.push(Finding::new(&CODE, one.span, message).help("make it two periods at least"));
-            }
+    let Some((period_us, _)) = project.safety_task.and_then(|at| project.tasks[at].period_us) else { return };
+    usage::safety_operands(project, &mut |one| {
+        let Operand::Integer { value, .. } = *one.operand else { return };
+        let time_us = u64::from(value.unsigned_abs()) * 1000;
+        if one.name == "Discrepancy Time" && time_us < 2 * period_us {
+            let message = format!(
+                "Discrepancy Time of {} is {value} ms, and the safety task runs each {} ms",
+                one.mnemonic,
+                period_us as f64 / 1000.0
+            );
+            findings.push(Finding::new(&CODE, one.span, message).help("make it two periods at least"));
         }
     });
 }

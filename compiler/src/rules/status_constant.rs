@@ -1,8 +1,10 @@
 //! A status operand that is always good. dual-channel-inputs.md C9.
 
+use twinrung_catalog::STATUS_OPERANDS;
+
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::Operand;
-use crate::project::{Call, Project};
+use crate::project::Project;
 use crate::rules::usage;
 
 rule! {
@@ -14,22 +16,13 @@ rule! {
     bad: sample!("    E : DCI_STOP (Class := Safety);\n    A, B, R : BOOL (Class := Safety);\n", "      N: DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,B,<<1>>,R);\n")
 }
 
-/// Every call of a safety instruction.
+/// Every operand of a safety instruction.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
-    if !project.opcodes.any_safety() {
-        return;
-    }
-    usage::instructions(project, &mut |_, instruction| {
-        let Call::Catalog(declaration) = instruction.call else { return };
-        for (declared, one) in declaration.operands.iter().zip(&instruction.operands) {
-            let status = matches!(declared.name, "Input Status" | "Output Status");
-            if status && matches!(project.operand(one.id), Operand::Integer { value: 1, .. }) {
-                let message = format!(
-                    "{} of {} is 1: a lost connection passes for good data",
-                    declared.name, declaration.mnemonic
-                );
-                findings.push(Finding::new(&CODE, one.span, message).help("name the status of the module"));
-            }
+    usage::safety_operands(project, &mut |one| {
+        let status = STATUS_OPERANDS.contains(&one.name);
+        if status && matches!(one.operand, Operand::Integer { value: 1, .. }) {
+            let message = format!("{} of {} is 1: a lost connection passes for good data", one.name, one.mnemonic);
+            findings.push(Finding::new(&CODE, one.span, message).help("name the status of the module"));
         }
     });
 }

@@ -18,7 +18,7 @@ rule! {
 /// Modules with a safety network number and nothing else that is known.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
     for module in &project.modules {
-        let number = module.catalog_number.split('/').next().unwrap_or_default();
+        let number = modules::without_series(&module.catalog_number);
         let controller = Controller::by_catalog_number(number).is_some() || number.starts_with("1756-L") || number.starts_with("1768-L");
         let known = modules::Module::by_catalog_number(number).is_some()
             || points::GUARD_IO.iter().chain(modules::CARRIERS).any(|one| one.eq_ignore_ascii_case(number));

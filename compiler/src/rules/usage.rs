@@ -28,6 +28,22 @@ pub struct DataAccess<'a> {
     pub writes: bool,
 }
 
+/// One operand of a safety application instruction.
+pub(crate) struct SafetyOperand<'a> {
+    /// The instruction.
+    pub instruction: &'a Instruction,
+    /// Its mnemonic.
+    pub mnemonic: &'static str,
+    /// The operand's name.
+    pub name: &'static str,
+    /// Whether it is a channel of a pair that the instruction evaluates.
+    pub channel: bool,
+    /// What stands there.
+    pub operand: &'a Operand,
+    /// Where.
+    pub span: Span,
+}
+
 /// A cell, by what it counts from: comparable within one owner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Cell {
@@ -78,6 +94,39 @@ pub(crate) fn instructions<'a>(project: &'a Project, visitor: &mut impl FnMut(Pl
         rung.visit(&mut |instruction| {
             visitor(Place { routine, rung: number, element: instruction.element }, instruction)
         });
+    });
+}
+
+/// Visits every operand of every safety application instruction, with its declaration and whether it is a channel of a
+/// pair that the instruction evaluates.
+pub(crate) fn safety_operands<'a>(project: &'a Project, visitor: &mut impl FnMut(&SafetyOperand<'a>)) {
+    if !project.opcodes.any_safety() {
+        return;
+    }
+    instructions(project, &mut |_, instruction| {
+        let Call::Catalog(declaration) = instruction.call else { return };
+        let Some(safety) = declaration.safety else { return };
+        for (at, one) in instruction.operands.iter().enumerate() {
+            let Some(declared) = declaration.operand(at) else { continue };
+            let (name, channel) = (declared.name, safety.channels.contains(&declared.name));
+            visitor(&SafetyOperand {
+                instruction,
+                mnemonic: declaration.mnemonic,
+                name,
+                channel,
+                operand: project.operand(one.id),
+                span: one.span,
+            });
+        }
+    });
+}
+
+/// Visits the data of every channel of a pair that a safety application instruction evaluates.
+pub(crate) fn channels<'a>(project: &'a Project, visitor: &mut impl FnMut(&SafetyOperand<'a>, &'a Reference)) {
+    safety_operands(project, &mut |one| {
+        if let (true, Operand::Reference(reference)) = (one.channel, one.operand) {
+            visitor(one, reference);
+        }
     });
 }
 

@@ -61,6 +61,9 @@ pub(crate) const fn base(group: Group, position: Position) -> Instruction {
     }
 }
 
+/// The operands of safety application instructions that say whether the data of their other operands is valid.
+pub const STATUS_OPERANDS: &[&str] = &["Input Status", "Output Status"];
+
 /// What a safety application instruction has beyond a base instruction.
 #[derive(Debug, PartialEq, Eq)]
 pub struct SafetyApplication {
@@ -72,6 +75,9 @@ pub struct SafetyApplication {
     /// origin. The other inputs (a reset, a status) can spoil an output, and do not qualify it. (decided, from the
     /// conditions for O1 in the reference)
     pub decides: &'static [&'static str],
+    /// Names of the operands that are the channels of one device, which the instruction compares with each other; none
+    /// where it evaluates no redundant inputs.
+    pub channels: &'static [&'static str],
     /// Names of the operands that take no unqualified data: channels, contacts, feedbacks, and what opens a guard or mutes
     /// a device. dual-channel-inputs.md C7 and C8; the like of other families decided.
     pub safety_only: &'static [&'static str],

@@ -23,6 +23,6 @@ pub mod types;
 pub use code::{Code, CodeWord};
 pub use controller::{Controller, Family};
 pub use execution::Execution;
-pub use instruction::{Group, Instruction, Opcode, Position, Relation, Requires, SafetyApplication};
+pub use instruction::{Group, Instruction, Opcode, Position, Relation, Requires, STATUS_OPERANDS, SafetyApplication};
 pub use operand::{Access, ChoiceList, Operand, OperandKind};
-pub use predefined::{Element, Member, MemberRole, PredefinedType};
+pub use predefined::{Element, Member, MemberRole, PredefinedType, REPORTS};

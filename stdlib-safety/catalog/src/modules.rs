@@ -278,10 +278,15 @@ pub static CARRIERS: &[&str] = &[
     "ETHERNET-MODULE",
 ];
 
+/// A catalogue number without its series letter: `1734-IB8S` of `1734-IB8S/A`.
+pub fn without_series(catalog_number: &str) -> &str {
+    catalog_number.split_once('/').map_or(catalog_number, |(number, _)| number)
+}
+
 impl Module {
     /// Finds a module by catalogue number; case and a series letter (`1734-IB8S/A`) make no difference.
     pub fn by_catalog_number(catalog_number: &str) -> Option<&'static Module> {
-        let number = catalog_number.split('/').next().unwrap_or_default();
+        let number = without_series(catalog_number);
         ALL.iter().copied().find(|module| module.catalog_number.eq_ignore_ascii_case(number))
     }
 }

@@ -91,6 +91,39 @@ pub struct Member {
     pub meaning: &'static str,
 }
 
+/// Output members that report on the instruction itself: its rung condition, faults, codes, prompts, elapsed times. No
+/// safety function may take them for what a device says. (decided)
+pub const REPORTS: &[&str] = &[
+    "EnableOut",
+    "FP",
+    "FaultCode",
+    "DiagnosticCode",
+    "CRHO",
+    "II",
+    "LCB",
+    "LCM",
+    "NM",
+    "MMS",
+    "O1FF",
+    "O2FF",
+    "SAF",
+    "RBF",
+    "LBF",
+    "SRCA",
+    "SRCB",
+    "O1OnTime",
+    "MeasuredStartTime",
+    "MeasuredStopTime",
+    "Revision",
+];
+
+impl Member {
+    /// Whether it is an output that reports on the instruction, and is no safety data.
+    pub fn reports(&self) -> bool {
+        self.role == MemberRole::Output && REPORTS.contains(&self.name)
+    }
+}
+
 /// A predefined structure.
 #[derive(Debug, PartialEq, Eq)]
 pub struct PredefinedType {

@@ -212,11 +212,37 @@ fn choice_words_when_read_then_every_spelling_and_the_number_give_the_value() {
 }
 
 #[test]
-fn operands_that_decide_or_take_safety_data_only_when_looked_up_then_they_exist() {
+fn operands_that_decide_take_safety_data_only_or_are_channels_when_looked_up_then_they_exist() {
     let missing: Vec<_> = safety_applications()
-        .flat_map(|(one, safety)| safety.decides.iter().chain(safety.safety_only).map(move |name| (one, *name)))
+        .flat_map(|(one, safety)| {
+            let lists = [safety.decides, safety.safety_only, safety.channels];
+            lists.into_iter().flatten().map(move |name| (one, *name))
+        })
         .filter(|(one, name)| !one.operands.iter().any(|operand| operand.name == *name))
         .map(|(one, name)| (one.mnemonic, name))
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
+#[test]
+fn channels_when_declared_then_there_are_two_at_least_and_all_take_safety_data_only() {
+    let wrong: Vec<_> = safety_applications()
+        .filter(|(_, safety)| {
+            safety.channels.len() == 1 || !safety.channels.iter().all(|name| safety.safety_only.contains(name))
+        })
+        .map(|(one, _)| one.mnemonic)
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+#[test]
+fn members_that_report_when_looked_up_then_each_is_an_output_of_some_instruction() {
+    let missing: Vec<_> = twinrung_catalog::REPORTS
+        .iter()
+        .filter(|name| {
+            !safety_applications()
+                .any(|(_, safety)| safety.backing.member(name).is_some_and(|(_, member)| member.reports()))
+        })
         .collect();
     assert!(missing.is_empty(), "{missing:?}");
 }

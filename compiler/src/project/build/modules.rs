@@ -100,10 +100,8 @@ fn canonical(shown: &tree::Module) -> String {
         }
     };
     line("MODULE", Some(shown.name.text.to_string()));
-    let catalog = shown
-        .catalog_number
-        .as_ref()
-        .map(|number| number.as_str().split('/').next().unwrap_or_default().to_ascii_uppercase());
+    let catalog =
+        shown.catalog_number.as_ref().map(|number| modules::without_series(number.as_str()).to_ascii_uppercase());
     line("CatalogNumber", catalog);
     line("Parent", shown.parent.as_ref().map(|name| name.text.to_string()));
     line("Slot", shown.slot.map(|slot| slot.value.to_string()));

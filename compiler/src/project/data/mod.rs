@@ -97,6 +97,29 @@ impl Defaults {
         region
     }
 
+    /// What data of this type holds when nothing else is said, once all Add-On Instructions are known.
+    pub fn cells(&self, types: &Types, type_reference: TypeReference, dimensions: [u32; 3]) -> Region {
+        let (bits, words) = types.cells(type_reference);
+        let count = elements(dimensions).unwrap_or(1);
+        let mut region = Region::zeros(bits * count, words * count);
+        let TypeReference::Structure(index) = type_reference else { return region };
+        if !types.layout(index).holds_backing {
+            return region;
+        }
+        for number in 0..count {
+            match self.of(index) {
+                Some(known) => region.put(known, number * bits, number * words),
+                None => {
+                    for (member, place) in types.record(index).members.iter().zip(&types.layout(index).members) {
+                        let inner = self.cells(types, member.type_reference, member.dimensions);
+                        region.put(&inner, number * bits + place.bit_cell, number * words + place.word_cell);
+                    }
+                }
+            }
+        }
+        region
+    }
+
     /// Defaults of a user-defined type come from the Add-On Instructions within it.
     fn structure(&mut self, types: &Types, index: TypeIndex) -> Option<&Region> {
         let record = types.record(index);

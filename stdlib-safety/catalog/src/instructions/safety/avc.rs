@@ -56,6 +56,7 @@ pub static AVC: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Actuate"],
+        channels: &[],
         safety_only: &["Feedback 1"],
         relations: &[],
         codes: &[

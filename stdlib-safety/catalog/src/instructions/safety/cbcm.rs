@@ -60,6 +60,7 @@ pub static CBCM: Instruction = Instruction {
             "SafetyEnableAck",
         ],
         decides: &["Enable", "Safety Enable", "Start"],
+        channels: &[],
         safety_only: &["Safety Enable", "Press In Motion", "Motion Monitor Fault", "Slide Zone"],
         relations: &[],
         codes: &[

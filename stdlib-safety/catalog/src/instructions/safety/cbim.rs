@@ -54,6 +54,7 @@ pub static CBIM: Instruction = Instruction {
             "SafetyEnableAck",
         ],
         decides: &["Enable", "Safety Enable", "Start"],
+        channels: &[],
         safety_only: &["Safety Enable", "Press In Motion", "Motion Monitor Fault", "Slide Zone"],
         relations: &[],
         codes: &[

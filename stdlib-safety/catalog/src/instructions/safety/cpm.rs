@@ -52,6 +52,7 @@ pub static CPM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Brake Cam", "Takeover Cam", "Dynamic Cam"],
+        channels: &[],
         safety_only: &["Brake Cam", "Takeover Cam", "Dynamic Cam"],
         relations: &[],
         codes: &[

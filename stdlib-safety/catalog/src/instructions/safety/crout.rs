@@ -50,6 +50,7 @@ pub static CROUT: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Actuate"],
+        channels: &[],
         safety_only: &["Feedback 1", "Feedback 2"],
         relations: &[],
         codes: &[

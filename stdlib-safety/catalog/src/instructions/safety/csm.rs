@@ -47,6 +47,7 @@ pub static CSM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B", "Mechanical Delay Time", "Max Pulse Period"],
         relations: &[],
         codes: &[

@@ -54,6 +54,7 @@ pub static DCAF: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B", "Tolerance", "High Limit", "Low Limit"],
         relations: &[Relation::NotAbove("Low Limit", "High Limit")],
         codes: &[

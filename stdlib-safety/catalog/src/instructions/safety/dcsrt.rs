@@ -50,6 +50,7 @@ pub static DCSRT: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[

@@ -53,6 +53,7 @@ pub static DCST: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[

@@ -60,6 +60,7 @@ pub static DCSTL: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B", "Lock Feedback", "Hazard Stopped"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[

@@ -62,6 +62,7 @@ pub static DCSTM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B", "Mute", "Muting Lamp Status"],
         relations: &[
             Relation::DifferentTags("Channel A", "Channel B"),

@@ -37,6 +37,7 @@ pub static DIN: Instruction = Instruction {
         backing: &DIVERSE_INPUT,
         mirrored: &["ResetType", "ChannelA", "ChannelB", "CircuitReset", "FaultReset"],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B"],
         relations: &[],
         codes: &[

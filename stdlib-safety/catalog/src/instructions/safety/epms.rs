@@ -51,6 +51,7 @@ pub static EPMS: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5", "Input 6", "Input 7", "Input 8"],
+        channels: &[],
         safety_only: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5", "Input 6", "Input 7", "Input 8"],
         relations: &[],
         codes: &[

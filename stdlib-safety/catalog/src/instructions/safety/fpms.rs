@@ -33,6 +33,7 @@ pub static FPMS: Instruction = Instruction {
         backing: &FIVE_POS_MODE_SELECTOR,
         mirrored: &["Input1", "Input2", "Input3", "Input4", "Input5", "FaultReset"],
         decides: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5"],
+        channels: &[],
         safety_only: &["Input 1", "Input 2", "Input 3", "Input 4", "Input 5"],
         relations: &[],
         codes: &[

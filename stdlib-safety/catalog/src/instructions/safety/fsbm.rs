@@ -70,6 +70,7 @@ pub static FSBM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Light Curtain"],
+        channels: &[],
         safety_only: &[
             "Light Curtain",
             "Sensor 1",

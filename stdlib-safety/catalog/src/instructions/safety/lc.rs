@@ -47,6 +47,7 @@ pub static LC: Instruction = Instruction {
             "FaultReset",
         ],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B", "Input Filter Time", "Mute Light Curtain"],
         relations: &[],
         codes: &[

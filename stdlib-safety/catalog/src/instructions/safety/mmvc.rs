@@ -47,6 +47,7 @@ pub static MMVC: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Safety Enable", "Actuate"],
+        channels: &[],
         safety_only: &["Keyswitch", "Bottom", "Flywheel Stopped", "Safety Enable"],
         relations: &[],
         codes: &[

@@ -37,6 +37,7 @@ pub static ROUT: Instruction = Instruction {
         backing: &REDUNDANT_OUTPUT,
         mirrored: &["FeedbackType", "Enable", "Feedback1", "Feedback2", "FaultReset"],
         decides: &["Enable"],
+        channels: &[],
         safety_only: &["Feedback 1", "Feedback 2"],
         relations: &[],
         codes: &[

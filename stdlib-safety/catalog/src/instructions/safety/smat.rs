@@ -39,6 +39,7 @@ pub static SMAT: Instruction = Instruction {
         backing: &SAFETY_MAT,
         mirrored: &["RestartType", "ShortCircuitDetectDelayTime", "ChannelA", "ChannelB", "InputStatus", "Reset"],
         decides: &["Channel A", "Channel B"],
+        channels: &["Channel A", "Channel B"],
         safety_only: &["Channel A", "Channel B"],
         relations: &[Relation::DifferentTags("Channel A", "Channel B")],
         codes: &[

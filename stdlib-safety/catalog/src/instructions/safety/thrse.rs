@@ -52,6 +52,12 @@ pub static THRSE: Instruction = Instruction {
             "Left Button Normally Open",
             "Left Button Normally Closed",
         ],
+        channels: &[
+            "Right Button Normally Open",
+            "Right Button Normally Closed",
+            "Left Button Normally Open",
+            "Left Button Normally Closed",
+        ],
         safety_only: &[
             "Right Button Normally Open",
             "Right Button Normally Closed",

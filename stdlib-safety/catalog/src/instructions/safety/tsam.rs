@@ -59,6 +59,7 @@ pub static TSAM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Light Curtain"],
+        channels: &[],
         safety_only: &["Light Curtain", "Sensor 1", "Sensor 2", "Override", "Muting Lamp Status"],
         relations: &[],
         codes: &[

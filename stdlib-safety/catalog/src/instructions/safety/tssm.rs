@@ -62,6 +62,7 @@ pub static TSSM: Instruction = Instruction {
             "Reset",
         ],
         decides: &["Light Curtain"],
+        channels: &[],
         safety_only: &["Light Curtain", "Sensor 1", "Sensor 2", "Override", "Muting Lamp Status"],
         relations: &[Relation::BelowUnlessZero("S1S2-LC Minimum Time", "S1S2-LC Maximum Time")],
         codes: &[
