@@ -31,7 +31,7 @@ enum Driven {
 }
 
 /// The cells of a driven signal; which tag they are of makes no difference to freezing and publishing.
-pub(crate) fn cells(signal: Signal) -> Option<CellRange> {
+pub fn cells(signal: Signal) -> Option<CellRange> {
     let range = |bit_cell, bit_cells, word_cell, word_cells| CellRange {
         tag: TagIndex(u32::MAX),
         bit_cell,

@@ -6,7 +6,7 @@ use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Opcode;
 use twinrung_workbench::bench::Stopwatch;
 use twinrung_workbench::instruction_rungs::{Literals, PERIOD_MS, Subject, project};
-use twinrung_workbench::{Signal, names};
+use twinrung_workbench::{Signal, drive, names};
 
 const RUNGS: usize = 100;
 const ELEMENTS: u32 = 16;
@@ -28,14 +28,8 @@ pub fn benches(criterion: &mut Criterion) {
             .collect();
         group.bench_function(opcode.instruction().mnemonic, |bencher| {
             let mut controller = controller(&admitted, &bytes).expect("both channels load it");
-            for cell in &cells {
-                controller.freeze_also(twinrung_controller::CellRange {
-                    tag: twinrung_bytecode::index::TagIndex(u32::MAX),
-                    bit_cell: cell.0,
-                    bit_cells: 1,
-                    word_cell: 0,
-                    word_cells: 0,
-                });
+            for range in cells.iter().filter_map(|cell| drive::cells(Signal::Bit(*cell))) {
+                controller.freeze_also(range);
             }
             let mut scan = 0;
             bencher.iter_custom(|scans| {

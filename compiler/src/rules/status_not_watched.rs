@@ -30,8 +30,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         if !matches!(tag.kind, TagKind::ModuleInput(_) | TagKind::Consumed) || tag.class != TagClass::Safety {
             return;
         }
-        let name = usage::last_member(project, access.reference).to_ascii_lowercase();
-        if name == "connectionfaulted" || name == "runmode" || name.ends_with("status") {
+        if is_status(&usage::last_member(project, access.reference)) {
             watched.insert(id);
         } else {
             used.entry(id).or_insert(access.span);
@@ -48,6 +47,12 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         let help = format!("examine {}.ConnectionFaulted where its data is used", tag.image_name());
         findings.push(Finding::new(&CODE, span, message).help(help));
     }
+}
+
+/// Whether a member of a connection's tag tells if the connection, or a point behind it, is sound.
+pub fn is_status(member: &str) -> bool {
+    let name = member.to_ascii_lowercase();
+    name == "connectionfaulted" || name == "runmode" || name.ends_with("status")
 }
 
 fn has_status(project: &Project, reference: Option<TypeReference>) -> bool {

@@ -3,6 +3,7 @@
 use twinrung_bytecode::image::TypeReference;
 use twinrung_catalog::Element;
 use twinrung_compiler::project::{Project, TagClass, TagId, TagKind};
+use twinrung_compiler::rules::status_not_watched::is_status;
 use twinrung_grammar::tree::{AttributeValue, Module, PointKind};
 
 use super::usage::{Cell, Index, Uses};
@@ -73,12 +74,6 @@ fn channels<'a>(evidence: &Evidence<'a>, project: &Project, used: &Index, output
         }
     }
     list
-}
-
-/// What tells whether the connection and the points are sound, as rule W0105 takes it.
-fn is_status(member: &str) -> bool {
-    let name = member.to_ascii_lowercase();
-    name == "connectionfaulted" || name == "runmode" || name.ends_with("status")
 }
 
 /// `00` of `Pt00Data`, `0` of `Ch0Data`.
