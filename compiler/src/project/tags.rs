@@ -257,7 +257,7 @@ impl<'a> TagTable<'_, 'a> {
             }
         };
         let Some(choice) = choice else { return };
-        let members = || always.iter().chain(choice.members);
+        let members = || always.iter().copied().flatten().chain(choice.each_member());
         if members().next().is_none() {
             return;
         }

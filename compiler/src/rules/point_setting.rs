@@ -1,6 +1,7 @@
 //! Settings of points and test outputs. 1734-UM013 Tables 18 to 21.
 
-use twinrung_catalog::points::{self, Points, SettingValue};
+use twinrung_catalog::modules;
+use twinrung_catalog::points::{Points, SettingValue};
 use twinrung_grammar::tree::PointKind;
 
 use crate::diagnostic::{Finding, Findings};
@@ -105,7 +106,6 @@ fn value(key: &str, declared: SettingValue, setting: &Setting, findings: &mut Fi
 impl Module {
     /// What is known of its points.
     pub(crate) fn known_points(&self) -> &'static [&'static Points] {
-        let number = twinrung_catalog::modules::without_series(&self.catalog_number).to_ascii_uppercase();
-        points::of_module(&number)
+        modules::Module::by_catalog_number(&self.catalog_number).map_or(&[], |known| known.points)
     }
 }

@@ -1,6 +1,6 @@
 //! Test sources of pulse-tested inputs. 1734-UM013, Configure the Safety Digital Inputs.
 
-use twinrung_catalog::points::test_output_mode;
+use twinrung_catalog::modules;
 
 use crate::diagnostic::{Finding, Findings};
 use crate::project::Project;
@@ -8,15 +8,17 @@ use crate::project::Project;
 rule! {
     /// A pulse-tested input whose test source does not pulse.
     "S0404", Error, "a pulse-tested input has no test source",
-    "An input with Mode SAFETY_PULSE_TEST is fed from a test output of its own module that pulses (T0 and T1 do unless they are set to something else, T2 and T3 when they are set to PULSE_TEST). Without it, or with one that does something else, the circuit is not tested and the module reports a fault.",
-    "1734-UM013, Configure the Safety Digital Inputs, Tables 18 and 19",
+    "An input with Mode SAFETY_PULSE_TEST is fed from a test output of its own module that pulses (T0 and T1 of a 1734-IB8S do unless they are set to something else, all others when they are set to PULSE_TEST). Without it, or with one that does something else, the circuit is not tested and the module reports a fault.",
+    "1734-UM013, Configure the Safety Digital Inputs, Tables 18 and 19; 1791ES-UM001 Tables 68 and 69",
     good: sample!(modules "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Doors (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002)\n    POINT I00 (Mode := SAFETY_PULSE_TEST, TestSource := T0);\n    POINT I01 (Mode := SAFETY_PULSE_TEST, TestSource := T2);\n    TEST T2 (Mode := PULSE_TEST);\n  END_MODULE\n"; "    Run : BOOL (Class := Safety);\n", "      N: XIC(Doors:I.Pt00Data)OTE(Run);\n"),
     bad: sample!(modules "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Doors (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002)\n    POINT <<I00>> (Mode := SAFETY_PULSE_TEST);\n    POINT I01 (Mode := SAFETY_PULSE_TEST, TestSource := <<T2>>);\n  END_MODULE\n"; "    Run : BOOL (Class := Safety);\n", "      N: XIC(Doors:I.Pt00Data)OTE(Run);\n")
 }
 
 /// Every input with a pulse test.
 pub(crate) fn check(project: &Project, findings: &mut Findings) {
-    for module in project.modules.iter().filter(|module| !module.known_points().is_empty()) {
+    for module in &project.modules {
+        let Some(known) = modules::Module::by_catalog_number(&module.catalog_number) else { continue };
+        let tests = known.points.iter().find(|kind| kind.test).map_or(0, |kind| kind.count);
         for point in module.points.iter().filter(|point| point.name.starts_with('I') && point.has("Mode", "SAFETY_PULSE_TEST")) {
             let source = point.setting("TestSource").filter(|one| !one.value.eq_ignore_ascii_case("NONE"));
             let Some(source) = source else {
@@ -27,8 +29,9 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
             let Some(number) = source.value.get(1..).and_then(|digits| digits.parse::<u32>().ok()) else { continue };
             let test = module.point('T', number);
             let mode = test.and_then(|test| test.setting("Mode"));
-            let word = mode.map_or_else(|| test_output_mode(number), |mode| mode.value.as_str());
-            if number > 3 || word.eq_ignore_ascii_case("PULSE_TEST") {
+            let default = if number < known.pulsing_tests { "PULSE_TEST" } else { "NOT_USED" };
+            let word = mode.map_or(default, |mode| mode.value.as_str());
+            if number >= tests || word.eq_ignore_ascii_case("PULSE_TEST") {
                 continue;
             }
             let message = format!("{} takes {} as test source, which is {word}", point.name, source.value);

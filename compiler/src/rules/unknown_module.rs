@@ -1,6 +1,6 @@
 //! Catalogue numbers. DESIGN 4.
 
-use twinrung_catalog::{Controller, modules, points};
+use twinrung_catalog::{Controller, modules};
 
 use crate::diagnostic::{Finding, Findings};
 use crate::names::closest;
@@ -20,15 +20,22 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     for module in &project.modules {
         let number = modules::without_series(&module.catalog_number);
         let controller = Controller::by_catalog_number(number).is_some() || number.starts_with("1756-L") || number.starts_with("1768-L");
-        let known = modules::Module::by_catalog_number(number).is_some()
-            || points::GUARD_IO.iter().chain(modules::CARRIERS).any(|one| one.eq_ignore_ascii_case(number));
+        let described = modules::Module::by_catalog_number(number);
+        let known = described.is_some_and(modules::Module::has_known_tags)
+            || modules::CARRIERS.iter().any(|one| one.eq_ignore_ascii_case(number));
         let visible = !module.shown.connections.is_empty() || module.shown.usage != twinrung_grammar::tree::Usage::Target;
         if module.safety_network.is_none() || controller || known || visible || module.name.ends_with(":Partner") {
             continue;
         }
+        if let Some(described) = described {
+            let number = described.catalog_number;
+            let message = format!("the tags of a {number} are known from no source, and nothing shows its connections");
+            findings.push(Finding::new(&CODE, module.span, message).help("take the module from an export"));
+            continue;
+        }
         let message = format!("`{number}` is no known safety module, and nothing shows its connections");
         let finding = Finding::new(&CODE, module.span, message);
-        let numbers = modules::ALL.iter().map(|one| one.catalog_number).chain(points::GUARD_IO);
+        let numbers = modules::ALL.iter().map(|one| one.catalog_number);
         findings.push(match closest(number, numbers) {
             Some(like) => finding.help(format!("did you mean {like}?")),
             None => finding.help("correct the catalogue number, or take the module from an export"),

@@ -1,5 +1,5 @@
-//! What can be set on the points and test outputs of safety I/O modules, with ranges and increments. Source: 1734-UM013
-//! Tables 18 to 21; the words are ours (decided), made from the manual's.
+//! What can be set on the points and test outputs of safety I/O modules, with ranges and increments, and the limits of
+//! safety connections. Source: 1734-UM013 Tables 18 to 21; the words are ours (decided), made from the manual's.
 
 /// What a setting takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,46 +53,70 @@ const SIL: Setting = word("SIL", &["2", "3"]);
 const LATCH_TIME: Setting = number("ErrorLatchTime", 0, 65_530, 10, "ms");
 const DISCREPANCY_TIME: Setting = number("DiscrepancyTime", 0, 65_530, 10, "ms");
 
-/// Safety digital inputs. Table 18.
-pub static DIGITAL_INPUTS: Points = Points {
-    letter: 'I',
-    count: 8,
-    test: false,
-    settings: &[
+const SOURCES_4: &[&str] = &["NONE", "T0", "T1", "T2", "T3"];
+const SOURCES_8: &[&str] = &["NONE", "T0", "T1", "T2", "T3", "T4", "T5", "T6", "T7"];
+const SOURCES_12: &[&str] = &["NONE", "T0", "T1", "T2", "T3", "T4", "T5", "T6", "T7", "T8", "T9", "T10", "T11"];
+
+/// Table 18; 1791ES-UM001 Table 68 has the same.
+const fn input_settings(sources: &'static [&'static str]) -> [Setting; 8] {
+    [
         word("Mode", &["NOT_USED", "SAFETY_PULSE_TEST", "SAFETY", "STANDARD"]),
-        word("TestSource", &["NONE", "T0", "T1", "T2", "T3"]),
+        word("TestSource", sources),
         number("OffOn", 0, 126, 6, "ms"),
         number("OnOff", 0, 126, 6, "ms"),
         word("Type", &["SINGLE", "EQUIVALENT", "COMPLEMENTARY"]),
         DISCREPANCY_TIME,
         LATCH_TIME,
         SIL,
-    ],
-};
+    ]
+}
 
-/// Test outputs. Table 19.
-pub static TEST_OUTPUTS: Points = Points {
-    letter: 'T',
-    count: 4,
-    test: true,
-    settings: &[
-        word("Mode", &["NOT_USED", "STANDARD", "PULSE_TEST", "POWER_SUPPLY", "MUTING_LAMP"]),
-        word("FaultAction", &["CLEAR_OFF", "HOLD_LAST"]),
-    ],
-};
+static INPUT_SETTINGS_4: [Setting; 8] = input_settings(SOURCES_4);
+static INPUT_SETTINGS_8: [Setting; 8] = input_settings(SOURCES_8);
+static INPUT_SETTINGS_12: [Setting; 8] = input_settings(SOURCES_12);
 
-/// Safety digital outputs. Table 20.
-pub static DIGITAL_OUTPUTS: Points = Points {
-    letter: 'O',
-    count: 8,
-    test: false,
-    settings: &[
-        word("Mode", &["NOT_USED", "SAFETY", "SAFETY_PULSE_TEST"]),
-        word("Channel", &["SINGLE", "DUAL"]),
-        LATCH_TIME,
-        SIL,
-    ],
-};
+/// Table 19; 1791ES-UM001 Table 69 has the same modes.
+static TEST_SETTINGS: [Setting; 2] = [
+    word("Mode", &["NOT_USED", "STANDARD", "PULSE_TEST", "POWER_SUPPLY", "MUTING_LAMP"]),
+    word("FaultAction", &["CLEAR_OFF", "HOLD_LAST"]),
+];
+
+/// Table 20; 1791ES-UM001 Table 70 has the same.
+static OUTPUT_SETTINGS: [Setting; 4] =
+    [word("Mode", &["NOT_USED", "SAFETY", "SAFETY_PULSE_TEST"]), word("Channel", &["SINGLE", "DUAL"]), LATCH_TIME, SIL];
+
+const fn inputs(count: u32, settings: &'static [Setting]) -> Points {
+    Points { letter: 'I', count, test: false, settings }
+}
+
+const fn tests(count: u32) -> Points {
+    Points { letter: 'T', count, test: true, settings: &TEST_SETTINGS }
+}
+
+const fn outputs(count: u32) -> Points {
+    Points { letter: 'O', count, test: false, settings: &OUTPUT_SETTINGS }
+}
+
+/// Four safety inputs of a module with four test outputs.
+pub static INPUTS_4_TESTS_4: Points = inputs(4, &INPUT_SETTINGS_4);
+/// Eight safety inputs of a module with four test outputs.
+pub static INPUTS_8_TESTS_4: Points = inputs(8, &INPUT_SETTINGS_4);
+/// Twelve safety inputs of a module with four test outputs.
+pub static INPUTS_12_TESTS_4: Points = inputs(12, &INPUT_SETTINGS_4);
+/// Eight safety inputs of a module with eight test outputs.
+pub static INPUTS_8_TESTS_8: Points = inputs(8, &INPUT_SETTINGS_8);
+/// Twelve safety inputs of a module with twelve test outputs.
+pub static INPUTS_12_TESTS_12: Points = inputs(12, &INPUT_SETTINGS_12);
+/// Four test outputs.
+pub static TESTS_4: Points = tests(4);
+/// Eight test outputs.
+pub static TESTS_8: Points = tests(8);
+/// Twelve test outputs.
+pub static TESTS_12: Points = tests(12);
+/// Four safety outputs.
+pub static OUTPUTS_4: Points = outputs(4);
+/// Eight safety outputs.
+pub static OUTPUTS_8: Points = outputs(8);
 
 /// Safety analog inputs. Table 21.
 pub static ANALOG_INPUTS: Points = Points {
@@ -126,46 +150,11 @@ pub static ANALOG_INPUTS: Points = Points {
     ],
 };
 
-/// The points of a module, by its catalogue number without a series letter.
-pub fn of_module(catalog_number: &str) -> &'static [&'static Points] {
-    static IB8S: [&Points; 2] = [&DIGITAL_INPUTS, &TEST_OUTPUTS];
-    static OB8S: [&Points; 1] = [&DIGITAL_OUTPUTS];
-    static IE4S: [&Points; 1] = [&ANALOG_INPUTS];
-    match catalog_number {
-        "1734-IB8S" => &IB8S,
-        "1734-OB8S" => &OB8S,
-        "1734-IE4S" => &IE4S,
-        _ => &[],
-    }
-}
-
-/// Mode of a test output that a project does not set. 1734-UM013, Configure the Test Outputs.
-pub fn test_output_mode(number: u32) -> &'static str {
-    if number < 2 { "PULSE_TEST" } else { "NOT_USED" }
-}
-
-/// Test outputs that can watch a muting lamp. Table 19.
-pub const MUTING_LAMPS: [u32; 2] = [1, 3];
-
 /// Connections that an adapter of a POINT rack has. 1734-UM013.
 pub const CONNECTIONS_OF_ADAPTER: u32 = 20;
 
 /// Adapters for which that holds.
 pub const ADAPTERS: [&str; 2] = ["1734-AENT", "1734-AENTR"];
-
-/// Safety modules that 1756-RM093 names (Figure 11 ff., Appendices E and G) and whose tags are in no manual here: an export
-/// shows them, or they stay invisible.
-pub const GUARD_IO: [&str; 9] = [
-    "1791DS-IB12",
-    "1791DS-IB8XOB8",
-    "1791DS-IB4XOX4",
-    "1791DS-IB4XOW4",
-    "1791DS-IB8XOBV4",
-    "1791ES-IB8XOBV4",
-    "1732DS-IB8XOBV4",
-    "1732ES-IB12XOB4",
-    "1732ES-IB8XOB8",
-];
 
 /// Input connections: requested packet interval in µs, both ends included. 1734-UM013, Configure Safety Connections.
 pub const RPI_US: (u64, u64) = (6_000, 500_000);

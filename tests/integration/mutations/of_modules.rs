@@ -124,4 +124,40 @@ pub(super) static ALL: &[Mutation] = &[
         changes: &[("cb7f, RPI", "cb7e, RPI")],
         code: "S0414",
     },
+    Mutation {
+        sample: "estop-with-contactors",
+        what: "an output alone on a module that drives pairs",
+        changes: &[(
+            "  MODULE Field_Out",
+            "  MODULE Further (CatalogNumber := \"1791DS-IB8XOB8\", Parent := \"Local\", IPAddress := \"192.168.1.90\", SafetyNetwork := 16#0000_41b4_02bb_cb70)\n    POINT O06 (Mode := SAFETY, Channel := SINGLE);\n    POINT O07 (Mode := SAFETY, Channel := SINGLE);\n  END_MODULE\n  MODULE Field_Out",
+        )],
+        code: "S0415",
+    },
+    Mutation {
+        sample: "estop-with-contactors",
+        what: "a muting lamp on T1 of a module that watches T3 and T7",
+        changes: &[(
+            "  MODULE Field_Out",
+            "  MODULE Further (CatalogNumber := \"1732ES-IB8XOB8\", Parent := \"Local\", IPAddress := \"192.168.1.90\", SafetyNetwork := 16#0000_41b4_02bb_cb70)\n    TEST T1 (Mode := MUTING_LAMP);\n  END_MODULE\n  MODULE Field_Out",
+        )],
+        code: "S0405",
+    },
+    Mutation {
+        sample: "estop-with-contactors",
+        what: "a pulse-tested input of a module whose test outputs do not pulse by themselves",
+        changes: &[(
+            "  MODULE Field_Out",
+            "  MODULE Further (CatalogNumber := \"1732ES-IB12XOB4\", Parent := \"Local\", IPAddress := \"192.168.1.90\", SafetyNetwork := 16#0000_41b4_02bb_cb70)\n    POINT I11 (Mode := SAFETY_PULSE_TEST, TestSource := T0);\n  END_MODULE\n  MODULE Field_Out",
+        )],
+        code: "S0404",
+    },
+    Mutation {
+        sample: "estop-with-contactors",
+        what: "a module of which no source tells the tags",
+        changes: &[(
+            "  MODULE Field_Out",
+            "  MODULE Further (CatalogNumber := \"1791DS-IB4XOX4\", Parent := \"Local\", IPAddress := \"192.168.1.90\", SafetyNetwork := 16#0000_41b4_02bb_cb70) END_MODULE\n  MODULE Field_Out",
+        )],
+        code: "S0408",
+    },
 ];
