@@ -5,10 +5,10 @@ use twinrung_catalog::Opcode;
 use twinrung_trio::instructions::{Walk, Walked};
 
 /// Executions of each instruction here; the long run has a million.
-const EXECUTIONS: u64 = 6_000;
+const EXECUTIONS: u64 = 3_000;
 
 /// Scans of each loaded program: one program for each instruction.
-const SCANS: u64 = 500;
+const SCANS: u64 = 250;
 
 fn walks(opcodes: &[Opcode], seed: u64) -> Vec<Walked> {
     let walk = |opcode: &Opcode| Walk { opcode: *opcode, seed, executions: EXECUTIONS, scans: SCANS }.run();
