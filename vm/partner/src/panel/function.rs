@@ -135,21 +135,26 @@ impl Function {
         moved
     }
 
-    /// The table as a panel holds it. A complemented byte is 255 less its cell's value, so that the weighted sum of six
-    /// is 1 less the row, modulo 64; the panel stores complemented results.
-    pub(crate) const fn panel_table(&self) -> u64 {
+    /// Whether its contacts fit a panel of four.
+    pub(crate) const fn fits_four(&self) -> bool {
+        self.count <= 4
+    }
+
+    /// The table as a panel of six contacts holds it. A complemented byte is 255 less its cell's value, so that the
+    /// weighted sum of six is 1 less the row, modulo 64; the panel stores complemented results.
+    pub(crate) const fn table_of_six(&self) -> u64 {
         (!self.table).reverse_bits().rotate_left(2)
     }
 
-    /// The table as a narrow panel holds it: of up to four contacts, whose weighted sum is 17 less the row, modulo 32.
-    pub(crate) const fn narrow_table(&self) -> u32 {
+    /// The table as a panel of four contacts holds it, whose weighted sum is 17 less the row, modulo 32.
+    pub(crate) const fn table_of_four(&self) -> u32 {
         let rows = (self.table & 0xFFFF) as u32;
         (!(rows | (rows << 16))).reverse_bits().rotate_left(2)
     }
 
     /// The cells as a panel holds them; unused places repeat the first, or `spare`.
-    pub(crate) fn panel_inputs(&self, spare: u32) -> [u32; CONTACTS] {
-        let mut inputs = [self.cells().first().copied().unwrap_or(spare); CONTACTS];
+    pub(crate) fn panel_inputs<const PLACES: usize>(&self, spare: u32) -> [u32; PLACES] {
+        let mut inputs = [self.cells().first().copied().unwrap_or(spare); PLACES];
         for (input, cell) in inputs.iter_mut().zip(self.cells()) {
             *input = *cell;
         }
@@ -163,13 +168,13 @@ mod tests {
 
     fn value(function: &Function, values: &[(u32, bool)]) -> bool {
         let lookup = |cell: u32| values.iter().any(|(known, value)| *known == cell && *value);
-        let inputs = function.panel_inputs(99);
+        let inputs = function.panel_inputs::<CONTACTS>(99);
         let sum: u64 = inputs.iter().enumerate().map(|(k, cell)| (0xFF ^ u64::from(lookup(*cell))) << k).sum();
-        function.panel_table().wrapping_shr(sum as u32) & 1 == 0
+        function.table_of_six().wrapping_shr(sum as u32) & 1 == 0
     }
 
     #[test]
-    fn panel_table_when_every_combination_is_looked_up_then_the_network_conducts_as_drawn() {
+    fn table_of_six_when_every_combination_is_looked_up_then_the_network_conducts_as_drawn() {
         // a, not b, (c or (d and not a)), in a table of four contacts.
         let inner = Function::contact(13, true).join(&Function::contact(10, false), Join::Series).unwrap();
         let branch = inner.join(&Function::contact(12, true), Join::Parallel).unwrap();
@@ -185,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn narrow_table_when_every_combination_is_looked_up_then_as_the_wide_one() {
+    fn table_of_four_when_every_combination_is_looked_up_then_as_that_of_six() {
         let network = Function::contact(1, true)
             .join(&Function::contact(2, false), Join::Series)
             .and_then(|network| network.join(&Function::contact(3, true), Join::Parallel))
@@ -193,9 +198,9 @@ mod tests {
             .unwrap();
         for row in 0..16u64 {
             let sum: u64 = (0..4).map(|k| (0xFF ^ (row >> k & 1)) << k).sum();
-            let wide: u64 = (0..6).map(|k| (0xFF ^ (row >> k & 1)) << k).sum();
-            let narrow = network.narrow_table().wrapping_shr(sum as u32) & 1;
-            assert_eq!(u64::from(narrow), network.panel_table().wrapping_shr(wide as u32) & 1, "row {row}");
+            let six: u64 = (0..6).map(|k| (0xFF ^ (row >> k & 1)) << k).sum();
+            let four = network.table_of_four().wrapping_shr(sum as u32) & 1;
+            assert_eq!(u64::from(four), network.table_of_six().wrapping_shr(six as u32) & 1, "row {row}");
         }
     }
 
@@ -210,8 +215,8 @@ mod tests {
     }
 
     #[test]
-    fn panel_table_when_constant_then_every_row_is_it() {
-        assert_eq!(Function::constant(true).panel_table(), 0);
-        assert_eq!(Function::constant(false).panel_table(), u64::MAX);
+    fn table_of_six_when_constant_then_every_row_is_it() {
+        assert_eq!(Function::constant(true).table_of_six(), 0);
+        assert_eq!(Function::constant(false).table_of_six(), u64::MAX);
     }
 }

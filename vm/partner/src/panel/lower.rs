@@ -8,7 +8,7 @@ use twinrung_catalog::Opcode;
 use super::effect::{self, Effects, is_admissible};
 use super::function::Function;
 use super::network::Network;
-use super::record::{Compare, Extract, Insert, Move, NarrowPanel, Other, Panel, Records, Sum, Timer};
+use super::record::{Compare, Extract, Insert, Move, Other, Records, Sum, Timer};
 use super::schedule::Scheduler;
 use super::{Kind, Panels};
 use crate::ladder::{Argument, Code, Expression, Location, Operation, OwnCells, Span, Step};
@@ -71,10 +71,8 @@ pub(crate) enum Verdict {
 /// One record before it has its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Work {
-    /// A network of up to four contacts; how many of its inputs count.
-    Narrow(NarrowPanel<u32>, u8),
-    /// A network; how many of its inputs count.
-    Wide(Panel<u32>, u8),
+    /// A network, and the cell that receives what it conducts.
+    Network(Function, u32),
     /// A comparison.
     Compare(Compare<u32>),
     /// A bit out of a word.

@@ -27,9 +27,9 @@ use record::{Pools, Records};
 #[repr(u8)]
 pub(crate) enum Kind {
     /// Networks of up to four contacts.
-    Narrow = 0,
+    FourContacts = 0,
     /// Networks of five or six contacts.
-    Wide = 1,
+    SixContacts = 1,
     /// Integer comparisons.
     Compare = 2,
     /// Bits out of words.
@@ -53,8 +53,8 @@ pub(crate) enum Kind {
 impl Kind {
     /// All kinds, in the order in which runs follow each other.
     pub(crate) const ALL: [Kind; 11] = [
-        Kind::Narrow,
-        Kind::Wide,
+        Kind::FourContacts,
+        Kind::SixContacts,
         Kind::Compare,
         Kind::Extract,
         Kind::Insert,

@@ -8,7 +8,7 @@ use super::Kind;
 use super::effect;
 use super::function::{Function, Join};
 use super::lower::{Level, Lowering, Tables, Work};
-use super::record::{Compare, Extract, Insert, Move, NarrowPanel, Other, Panel, Sum, Timer};
+use super::record::{Compare, Extract, Insert, Move, Other, Sum, Timer};
 use crate::ladder::{Argument, Code, Location, NONE, Step};
 
 /// Bits of a 32-bit word above a type's own.
@@ -118,15 +118,7 @@ impl Network<'_, '_, '_> {
     // ---- networks
 
     fn push(&mut self, output: u32, function: &Function) {
-        let count = function.cells().len() as u8;
-        let inputs = function.panel_inputs(self.tables.own.true_bit);
-        let [a, b, c, d, ..] = inputs;
-        self.lowering.works.push(if count <= 4 {
-            let inputs = [a, b, c, d];
-            Work::Narrow(NarrowPanel { table: function.narrow_table(), inputs, output }, count)
-        } else {
-            Work::Wide(Panel { table: function.panel_table(), inputs, output }, count)
-        });
+        self.lowering.works.push(Work::Network(*function, output));
     }
 
     /// Evaluates a network into a cell of its own.

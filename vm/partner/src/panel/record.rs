@@ -2,6 +2,7 @@
 
 use alloc::vec::Vec;
 
+use super::function::Function;
 use crate::ladder::Step;
 use crate::memory::Size;
 
@@ -33,26 +34,33 @@ impl Index for u32 {
     }
 }
 
-/// A network of up to six contacts.
+/// A network of up to so many contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Panel<I> {
-    /// Conduction, by the sum of the weighted bytes modulo 64; complemented.
-    pub(crate) table: u64,
+pub(crate) struct Panel<I, T, const CONTACTS: usize> {
+    /// Conduction, by the sum of the weighted bytes modulo the bits of the table; complemented.
+    pub(crate) table: T,
     /// The contacts' cells; unused ones repeat another.
-    pub(crate) inputs: [I; 6],
+    pub(crate) inputs: [I; CONTACTS],
     /// The cell that receives the result.
     pub(crate) output: I,
 }
 
 /// A network of up to four contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct NarrowPanel<I> {
-    /// Conduction, by the sum of the weighted bytes modulo 32; complemented.
-    pub(crate) table: u32,
-    /// The contacts' cells; unused ones repeat another.
-    pub(crate) inputs: [I; 4],
-    /// The cell that receives the result.
-    pub(crate) output: I,
+pub(crate) type FourContacts<I> = Panel<I, u32, 4>;
+
+/// A network of up to six contacts.
+pub(crate) type SixContacts<I> = Panel<I, u64, 6>;
+
+impl<T, const CONTACTS: usize> Panel<u32, T, CONTACTS> {
+    /// A network with this table.
+    pub(crate) fn new(table: T, function: &Function, output: u32) -> Self {
+        // A network without contacts looks at its own output: its table is the same wherever it is looked up.
+        Panel { table, inputs: function.panel_inputs(output), output }
+    }
+
+    fn for_small_banks(self) -> Panel<u16, T, CONTACTS> {
+        Panel { table: self.table, inputs: self.inputs.map(u16::narrow), output: u16::narrow(self.output) }
+    }
 }
 
 /// An integer comparison.
@@ -158,9 +166,9 @@ pub(crate) struct Other {
 #[derive(Debug, Clone)]
 pub(crate) struct Pools<I> {
     /// Networks of up to four contacts.
-    pub(crate) narrow: Vec<NarrowPanel<I>>,
-    /// Networks of more.
-    pub(crate) panels: Vec<Panel<I>>,
+    pub(crate) four_contacts: Vec<FourContacts<I>>,
+    /// Networks of five or six.
+    pub(crate) six_contacts: Vec<SixContacts<I>>,
     /// Comparisons.
     pub(crate) compares: Vec<Compare<I>>,
     /// Bits out of words.
@@ -180,8 +188,8 @@ pub(crate) struct Pools<I> {
 impl<I> Default for Pools<I> {
     fn default() -> Pools<I> {
         Pools {
-            narrow: Vec::new(),
-            panels: Vec::new(),
+            four_contacts: Vec::new(),
+            six_contacts: Vec::new(),
             compares: Vec::new(),
             extracts: Vec::new(),
             inserts: Vec::new(),
@@ -208,7 +216,7 @@ impl Records {
     /// The records for banks of this size.
     pub(crate) fn new(wide: Pools<u32>, size: Size) -> Records {
         match size {
-            Size::Small => Records::Small(wide.narrow()),
+            Size::Small => Records::Small(wide.for_small_banks()),
             Size::Medium => Records::Medium(wide),
             Size::Large => Records::Large(wide),
         }
@@ -216,19 +224,11 @@ impl Records {
 }
 
 impl Pools<u32> {
-    fn narrow(self) -> Pools<u16> {
+    fn for_small_banks(self) -> Pools<u16> {
         let cell = u16::narrow;
         Pools {
-            narrow: self
-                .narrow
-                .into_iter()
-                .map(|from| NarrowPanel { table: from.table, inputs: from.inputs.map(cell), output: cell(from.output) })
-                .collect(),
-            panels: self
-                .panels
-                .into_iter()
-                .map(|from| Panel { table: from.table, inputs: from.inputs.map(cell), output: cell(from.output) })
-                .collect(),
+            four_contacts: self.four_contacts.into_iter().map(Panel::for_small_banks).collect(),
+            six_contacts: self.six_contacts.into_iter().map(Panel::for_small_banks).collect(),
             compares: self
                 .compares
                 .into_iter()

@@ -2,7 +2,7 @@
 
 use twinrung_bytecode::observer::Observer;
 
-use super::record::{Compare, Extract, Index, Insert, Move, NarrowPanel, Other, Panel, Pools, Records, Sum, Timer};
+use super::record::{Compare, Extract, Index, Insert, Move, Other, Panel, Pools, Records, Sum, Timer};
 use super::{Kind, Region, Run};
 use crate::ladder::{Code, Ladder, NONE};
 use crate::memory::{LARGE, MEDIUM, SMALL};
@@ -61,25 +61,36 @@ fn put<const N: usize>(words: &mut [u32; N], position: usize, value: i32) {
     }
 }
 
-fn narrow_panels<I: Index, const N: usize>(bits: &mut [u8; N], records: &[NarrowPanel<I>]) {
-    for panel in records {
-        let [a, b, c, d] = panel.inputs.map(|cell| u32::from(read(bits, cell)));
-        let low = a.wrapping_add(b << 1);
-        let high = c.wrapping_add(d << 1);
-        let conducts = panel.table.wrapping_shr(low.wrapping_add(high << 2)) as u8;
-        write(bits, panel.output.at(), conducts | 0xFE);
+/// The conduction table of a panel.
+trait Table: Copy {
+    /// The complemented result, in the lowest bit; the place counts modulo the bits of the table.
+    fn look_up(self, place: u32) -> u8;
+}
+
+impl Table for u32 {
+    fn look_up(self, place: u32) -> u8 {
+        self.wrapping_shr(place) as u8
     }
 }
 
-fn panels<I: Index, const N: usize>(bits: &mut [u8; N], records: &[Panel<I>]) {
+impl Table for u64 {
+    fn look_up(self, place: u32) -> u8 {
+        self.wrapping_shr(place) as u8
+    }
+}
+
+fn panels<I: Index, T: Table, const CONTACTS: usize, const N: usize>(
+    bits: &mut [u8; N],
+    records: &[Panel<I, T, CONTACTS>],
+) {
     for panel in records {
-        let [a, b, c, d, e, f] = panel.inputs.map(|cell| u32::from(read(bits, cell)));
-        let low = a.wrapping_add(b << 1);
-        let middle = c.wrapping_add(d << 1);
-        let high = e.wrapping_add(f << 1);
-        let place = low.wrapping_add(middle.wrapping_add(high << 2) << 2);
-        let conducts = panel.table.wrapping_shr(place) as u8;
-        write(bits, panel.output.at(), conducts | 0xFE);
+        let inputs = panel.inputs.map(|cell| u32::from(read(bits, cell)));
+        let (pairs, _) = inputs.as_chunks::<2>();
+        let place = pairs
+            .iter()
+            .rev()
+            .fold(0u32, |above, [first, second]| first.wrapping_add(second.wrapping_shl(1)).wrapping_add(above << 2));
+        write(bits, panel.output.at(), panel.table.look_up(place) | 0xFE);
     }
 }
 
@@ -234,8 +245,8 @@ impl<O: Observer> Walker<'_, O> {
             let Ok(stamps) = <&mut [i64; N]>::try_from(memory.stamps.as_mut_slice()) else { continue };
             let mut recorded = Recorded { key: self.state.status.key, overflows: 0 };
             match run.kind {
-                Kind::Narrow => narrow_panels(bits, part(&pools.narrow, run)),
-                Kind::Wide => panels(bits, part(&pools.panels, run)),
+                Kind::FourContacts => panels(bits, part(&pools.four_contacts, run)),
+                Kind::SixContacts => panels(bits, part(&pools.six_contacts, run)),
                 Kind::Compare => compares(bits, words, part(&pools.compares, run)),
                 Kind::Extract => extracts(bits, words, part(&pools.extracts, run)),
                 Kind::Insert => inserts(bits, words, part(&pools.inserts, run)),

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 use super::effect::{Effect, Effects, has_status};
 use super::lower::Work;
+use super::record::Panel;
 use super::{Kind, Region, Run, WidePools};
 use crate::ladder::{Code, NONE};
 
@@ -61,8 +62,8 @@ enum Status {
 
 fn kind(work: &Work) -> Kind {
     match work {
-        Work::Narrow(..) => Kind::Narrow,
-        Work::Wide(..) => Kind::Wide,
+        Work::Network(function, _) if function.fits_four() => Kind::FourContacts,
+        Work::Network(..) => Kind::SixContacts,
         Work::Compare(_) => Kind::Compare,
         Work::Extract(_) => Kind::Extract,
         Work::Insert(_) => Kind::Insert,
@@ -88,17 +89,11 @@ fn status(work: &Work) -> Status {
 fn touches(work: &Work, effects: &Effects, mut touch: impl FnMut(Effect)) {
     let mut bit = |cell: u32, written: bool| touch(Effect { cell, word: false, written });
     match work {
-        Work::Narrow(panel, count) => {
-            for cell in panel.inputs.iter().take(usize::from(*count)) {
+        Work::Network(function, output) => {
+            for cell in function.cells() {
                 bit(*cell, false);
             }
-            bit(panel.output, true);
-        }
-        Work::Wide(panel, count) => {
-            for cell in panel.inputs.iter().take(usize::from(*count)) {
-                bit(*cell, false);
-            }
-            bit(panel.output, true);
+            bit(*output, true);
         }
         Work::Compare(compare) => {
             bit(compare.output, true);
@@ -274,7 +269,7 @@ impl Scheduler {
         let mut turn = Kind::Compare as usize;
         let mut idle = 0usize;
         while idle < Kind::ALL.len() {
-            let kind = Kind::ALL.get(turn).copied().unwrap_or(Kind::Narrow);
+            let kind = Kind::ALL.get(turn).copied().unwrap_or(Kind::FourContacts);
             let begin = self.pool_length(kind);
             while let Some(work) = ready.get_mut(turn).and_then(VecDeque::pop_front) {
                 if let Some(record) = works.get(work as usize) {
@@ -298,10 +293,10 @@ impl Scheduler {
                 idle = idle.saturating_add(1);
             }
             // Networks as long as there are any, then one kind after the other.
-            let narrow_wait = ready.get(Kind::Narrow as usize).is_some_and(|queue| !queue.is_empty());
+            let networks_wait = ready.get(Kind::FourContacts as usize).is_some_and(|queue| !queue.is_empty());
             let last = turn.saturating_add(1) >= Kind::ALL.len();
-            turn = if last || (kind == Kind::Wide && narrow_wait) {
-                Kind::Narrow as usize
+            turn = if last || (kind == Kind::SixContacts && networks_wait) {
+                Kind::FourContacts as usize
             } else {
                 turn.saturating_add(1)
             };
@@ -310,8 +305,8 @@ impl Scheduler {
 
     fn pool_length(&self, kind: Kind) -> u32 {
         let length = match kind {
-            Kind::Narrow => self.pools.narrow.len(),
-            Kind::Wide => self.pools.panels.len(),
+            Kind::FourContacts => self.pools.four_contacts.len(),
+            Kind::SixContacts => self.pools.six_contacts.len(),
             Kind::Compare => self.pools.compares.len(),
             Kind::Extract => self.pools.extracts.len(),
             Kind::Insert => self.pools.inserts.len(),
@@ -325,8 +320,12 @@ impl Scheduler {
 
     fn put(&mut self, work: &Work) {
         match work {
-            Work::Narrow(panel, _) => self.pools.narrow.push(*panel),
-            Work::Wide(panel, _) => self.pools.panels.push(*panel),
+            Work::Network(function, output) if function.fits_four() => {
+                self.pools.four_contacts.push(Panel::new(function.table_of_four(), function, *output));
+            }
+            Work::Network(function, output) => {
+                self.pools.six_contacts.push(Panel::new(function.table_of_six(), function, *output));
+            }
             Work::Compare(compare) => self.pools.compares.push(*compare),
             Work::Extract(extract) => self.pools.extracts.push(*extract),
             Work::Insert(insert) => self.pools.inserts.push(*insert),
