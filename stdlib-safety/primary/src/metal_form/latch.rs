@@ -46,13 +46,18 @@ impl FaultLatch {
     }
 
     /// Latches the first fault, or clears the one latched before this scan by an edge of Reset when its cause is gone
-    /// (1.6 rules 1 and 2). A fault of this very scan outlives that edge (1.7). Whether the latch was cleared.
+    /// (1.6 rules 1 and 2); a fault of this very scan outlives that Reset (1.7). Whether the one latched before was
+    /// cleared.
     pub(crate) fn settle(&mut self, new_fault: i32, cause_gone: bool) -> bool {
-        let clears = self.fault != NONE && self.reset_rises && cause_gone;
-        if self.fault == NONE || clears {
+        if self.fault == NONE {
+            self.fault = new_fault;
+            return false;
+        }
+        let clears = self.reset_rises && cause_gone;
+        if clears {
             self.fault = new_fault;
         }
-        clears && new_fault == NONE
+        clears
     }
 
     /// DiagnosticCode (1.6 rule 4); `own` is the instruction's, shown last and without a fault only.
