@@ -76,7 +76,11 @@ impl<'a> Builder<'a> {
             Some((base, true)) => {
                 let (on, off) = self.network.places.bit(base.tag, base.bit);
                 let (of_on, of_off) = match self.bit_read(one) {
-                    Some(read) => read.with_selectors(),
+                    Some(read) => {
+                        let from = [read.on, read.off].map(|read| self.network.reads[read as usize].slot);
+                        self.network.copied_by_prescan.extend([(from[0], on), (from[1], off)]);
+                        read.with_selectors()
+                    }
                     None => (Vec::new(), Vec::new()),
                 };
                 (vec![of_on, of_off], vec![on, off])
@@ -106,6 +110,9 @@ impl<'a> Builder<'a> {
             }
             None => return,
         };
+        if let Some((to_on, to_off)) = target.bit {
+            self.network.copied_by_prescan.extend([(on, to_on), (off, to_off)]);
+        }
         let from = [self.read(on, one.span), self.read(off, one.span)];
         let to = match (target.bit, target.word) {
             (Some((on, off)), _) => [Some(on), Some(off)],

@@ -213,7 +213,7 @@ impl<'a> Builder<'a> {
         Some(rails)
     }
 
-    /// Operands of an Add-On Instruction's own routines.
+    /// Rungs, instructions and operands of an Add-On Instruction's own routines.
     fn size(&mut self, id: AddOnId) -> usize {
         if let Some(known) = self.sizes.get(&id) {
             return *known;
@@ -222,6 +222,7 @@ impl<'a> Builder<'a> {
         let mut size = 0;
         for routine in [add_on.logic, add_on.prescan, add_on.enable_in_false].into_iter().flatten() {
             for rung in &self.project.routine(routine).rungs {
+                size += 1;
                 rung.visit(&mut |instruction| size += 1 + instruction.operands.len());
             }
         }

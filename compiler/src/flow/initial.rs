@@ -62,6 +62,16 @@ pub(super) fn of(project: &Project, network: &mut Network, order: &[u32]) -> Ini
     for slot in &network.set_by_prescan {
         initial.holds[*slot as usize] = true;
     }
+    let mut more = true;
+    while more {
+        more = false;
+        for (from, to) in &network.copied_by_prescan {
+            if initial.holds[*from as usize] && !initial.holds[*to as usize] {
+                initial.holds[*to as usize] = true;
+                more = true;
+            }
+        }
+    }
     see(network, &mut initial, last, order);
     initial
 }

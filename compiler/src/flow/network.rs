@@ -150,6 +150,8 @@ pub(crate) struct Network {
     pub rails: Vec<Slot>,
     /// Bits that a prescan sets.
     pub set_by_prescan: Vec<Slot>,
+    /// What a prescan copies, into the parameters of an Add-On Instruction and out of them.
+    pub copied_by_prescan: Vec<(Slot, Slot)>,
     /// What places hold before anything runs.
     pub initial: super::initial::Initial,
     /// Operands of safety instructions that take no unqualified data: the read, and the operand's name.

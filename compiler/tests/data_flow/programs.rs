@@ -7,8 +7,25 @@ use std::fmt::Write;
 pub type Bit = usize;
 
 /// The bits of a program. The first two are standard inputs, the next two safety inputs, the last is the output.
-pub const NAMES: [&str; 13] =
-    ["Std", "Std2", "Safe", "Safe2", "A", "B", "Bits[1]", "W.3", "Once", "Given", "Taken", "Motor", "Turn"];
+pub const NAMES: [&str; 17] = [
+    "Std",
+    "Std2",
+    "Safe",
+    "Safe2",
+    "A",
+    "B",
+    "Bits[1]",
+    "W.3",
+    "Once",
+    "Given",
+    "Taken",
+    "Motor",
+    "Turn",
+    "G.Go",
+    "G.Step",
+    "G.Done",
+    "G.EnableOut",
+];
 
 pub const STANDARD: [Bit; 2] = [0, 1];
 pub const SAFETY: [Bit; 2] = [2, 3];
@@ -17,6 +34,11 @@ pub const GIVEN: Bit = 9;
 pub const TAKEN: Bit = 10;
 pub const MOTOR: Bit = 11;
 pub const TURN: Bit = 12;
+/// The members of the Add-On Instruction's instance.
+pub const GO: Bit = 13;
+pub const STEP: Bit = 14;
+pub const DONE: Bit = 15;
+pub const ENABLE_OUT: Bit = 16;
 
 /// One thing in a series.
 #[derive(Debug, Clone)]
@@ -35,13 +57,18 @@ pub enum Element {
     /// Passes the first bit on and receives the second.
     Call(Bit, Bit),
     Zone,
+    /// The Add-On Instruction: takes the first bit, gives the second.
+    Gate(Bit, Bit),
 }
 
-/// A program: the rungs of the main routine and of the subroutine, and the bits that begin with 1.
+/// A program, and the bits that begin with 1.
 #[derive(Debug, Clone)]
 pub struct Program {
     pub main: Vec<Vec<Element>>,
     pub part: Vec<Vec<Element>>,
+    /// The logic of the Add-On Instruction, and what runs while its rung is false.
+    pub logic: Vec<Vec<Element>>,
+    pub when_false: Vec<Vec<Element>>,
     pub set: Vec<Bit>,
 }
 
@@ -116,6 +143,19 @@ impl Dice {
     pub fn program(&mut self) -> Program {
         let mut main: Vec<Vec<Element>> = (0..2 + self.below(4)).map(|_| self.rung()).collect();
         let part = if self.one_in(3) { self.part(&mut main) } else { Vec::new() };
+        let (mut logic, mut when_false) = (Vec::new(), Vec::new());
+        if self.one_in(3) {
+            logic = self.inner();
+            when_false = if self.one_in(3) { self.inner() } else { Vec::new() };
+            for _ in 0..1 + self.below(2) {
+                let call = Element::Gate(self.below(8), [4, 5, 6, 7, 11][self.below(5)]);
+                let mut rung = self.ends_with(call);
+                if self.one_in(3) {
+                    rung.push(self.coil());
+                }
+                main.insert(self.below(main.len() + 1), rung);
+            }
+        }
         if self.one_in(3) {
             let (from, to) = (self.below(main.len()), self.below(main.len() + 1));
             let (begin, end) = (from.min(to), from.max(to));
@@ -147,7 +187,25 @@ impl Dice {
         last.push(Element::Coil(MOTOR));
         main.push(last);
         let set = (4..6).filter(|_| self.one_in(3)).collect();
-        Program { main, part, set }
+        Program { main, part, logic, when_false, set }
+    }
+
+    /// Rungs of the Add-On Instruction.
+    fn inner(&mut self) -> Vec<Vec<Element>> {
+        let mut rungs = Vec::new();
+        for _ in 0..1 + self.below(3) {
+            let mut rung: Vec<Element> = (0..self.below(3))
+                .map(|_| Element::Contact([GO, STEP, DONE, GO][self.below(4)], self.one_in(3)))
+                .collect();
+            let bit = [STEP, DONE, DONE, ENABLE_OUT][self.below(4)];
+            rung.push(match self.below(4) {
+                0 => Element::Latch(bit),
+                1 => Element::Unlatch(bit),
+                _ => Element::Coil(bit),
+            });
+            rungs.push(rung);
+        }
+        rungs
     }
 
     fn part(&mut self, main: &mut Vec<Vec<Element>>) -> Vec<Vec<Element>> {
@@ -208,6 +266,31 @@ fn insert(main: &mut Vec<Vec<Element>>, at: usize, rung: Vec<Element>) {
 }
 
 impl Program {
+    /// The definition of the Add-On Instruction as text; nothing where none is called.
+    pub fn definition(&self) -> String {
+        if self.logic.is_empty() {
+            return String::new();
+        }
+        let mut text = "  ADD_ON_INSTRUCTION_DEFINITION Gate (Class := Safety)\n    PARAMETERS\n      Go : BOOL (Usage := Input, \
+                        Required := Yes);\n      Done : BOOL (Usage := Output, Required := Yes);\n    END_PARAMETERS\n    \
+                        LOCAL_TAGS\n      Step : BOOL;\n    END_LOCAL_TAGS\n"
+            .to_owned();
+        for (name, rungs) in [("Logic", &self.logic), ("EnableInFalse", &self.when_false)] {
+            if rungs.is_empty() {
+                continue;
+            }
+            let _ = writeln!(text, "    ROUTINE {name}");
+            for rung in rungs {
+                let mut line = String::new();
+                series(rung, &mut line);
+                let _ = writeln!(text, "      N: {};", line.replace("G.", ""));
+            }
+            text.push_str("    END_ROUTINE\n");
+        }
+        text.push_str("  END_ADD_ON_INSTRUCTION_DEFINITION\n");
+        text
+    }
+
     /// The rungs of the main routine, and the subroutine, as text.
     pub fn text(&self) -> (String, String) {
         let mut targets = Vec::new();
@@ -260,6 +343,7 @@ fn series(elements: &[Element], out: &mut String) {
             Element::Return => write!(out, "RET(Taken)"),
             Element::Call(given, taken) => write!(out, "JSR(Part,1,{},{})", NAMES[*given], NAMES[*taken]),
             Element::Zone => write!(out, "MCR()"),
+            Element::Gate(given, taken) => write!(out, "Gate(G,{},{})", NAMES[*given], NAMES[*taken]),
             Element::Branch(legs) => {
                 out.push('[');
                 for (at, leg) in legs.iter().enumerate() {

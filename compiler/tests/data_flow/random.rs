@@ -17,12 +17,18 @@ struct Count {
 
 fn source(program: &Program) -> String {
     let (main, part) = program.text();
+    let gate = if program.logic.is_empty() { "" } else { "\n    G : Gate (Class := Safety);" };
     let set: String = program
         .set
         .iter()
         .map(|bit| format!("    {} : BOOL (Class := Safety) := 1;\n", crate::programs::NAMES[*bit]))
         .collect();
-    let text = text("", "    Once, Given, Taken, Turn : BOOL (Class := Safety);", &main, &part);
+    let text = text(
+        &program.definition(),
+        &format!("    Once, Given, Taken, Turn : BOOL (Class := Safety);{gate}"),
+        &main,
+        &part,
+    );
     // Bits that begin with 1 are declared apart.
     let rest: Vec<&str> = ["A", "B"].into_iter().filter(|name| !set.contains(&format!("    {name} :"))).collect();
     let names: Vec<&str> = rest.into_iter().chain(["C", "D", "Edge"]).collect();
@@ -45,10 +51,11 @@ fn judge(seed: u64, count: &mut Count) {
     count.silent += usize::from(!reported);
     if decided && !reported {
         let (main, part) = program.text();
-        count.missed.push(format!("seed {seed}, set {:?}\n{main}{part}", program.set));
+        count.missed.push(format!("seed {seed}, set {:?}\n{main}{part}{}", program.set, program.definition()));
     }
 }
 
+/// REQ-CHECK-012
 #[test]
 fn random_programs_when_standard_data_alone_switches_the_output_then_the_analysis_reports_it() {
     let mut count = Count::default();

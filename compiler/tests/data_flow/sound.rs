@@ -187,11 +187,16 @@ fn integrity_when_an_array_is_judged_as_one_cell_then_sil_3_within_it_is_still_s
 
 #[test]
 fn instances_when_more_than_are_followed_then_what_goes_in_still_reaches_what_comes_out() {
-    let inner = "  ADD_ON_INSTRUCTION_DEFINITION Gate (Class := Safety)\n    PARAMETERS\n      Go : BOOL (Usage := Input, Required := Yes);\n      Done : BOOL (Usage := Output, Required := Yes);\n    END_PARAMETERS\n    ROUTINE Logic\n      N: XIC(Go)OTE(Done);\n    END_ROUTINE\n  END_ADD_ON_INSTRUCTION_DEFINITION\n";
-    let tags = "    Gates : Gate[20001] (Class := Safety);";
-    let calls: String =
-        (0..20_001).map(|at| format!("Gate(Gates[{at}],{},A)\n", if at == 20_000 { "Std" } else { "Safe" })).collect();
-    assert_eq!(findings(&text(inner, tags, &format!("{calls}XIC(A)OTE(Motor)"), "")), ["S0701 Std"]);
+    let types = "  DATATYPE Two_T\n    BOOL First;\n    BOOL Second;\n  END_DATATYPE\n";
+    let gate = "  ADD_ON_INSTRUCTION_DEFINITION Gate (Class := Safety)\n    PARAMETERS\n      Go : BOOL (Usage := Input, \
+                Required := Yes);\n      Two : Two_T (Usage := InOut);\n      Done : BOOL (Usage := Output, Required := Yes);\n    \
+                END_PARAMETERS\n    ROUTINE Logic\n      N: XIC(Go)OTE(Done);\n    END_ROUTINE\n  \
+                END_ADD_ON_INSTRUCTION_DEFINITION\n";
+    let tags = "    Gates : Gate[20001] (Class := Safety);\n    Two : Two_T (Class := Safety);";
+    let given = |at: usize| if at == 20_000 { "Std" } else { "Safe" };
+    let calls: String = (0..20_001).map(|at| format!("Gate(Gates[{at}],{},Two,A)\n", given(at))).collect();
+    let text = text(&format!("{types}{gate}"), tags, &format!("{calls}XIC(A)OTE(Motor)"), "");
+    assert_eq!(findings(&text), ["S0701 Std"]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Executes a random program with safety inputs that nobody knows: a bit is 0, 1, or whatever the safety inputs make it.
 //! What is 1 here is 1 whatever the safety inputs are; so standard data alone has made it 1.
 
-use crate::programs::{Bit, Element, GIVEN, NAMES, ONCE, Program, SAFETY, STANDARD, TAKEN};
+use crate::programs::{Bit, DONE, ENABLE_OUT, Element, GIVEN, GO, NAMES, ONCE, Program, SAFETY, STANDARD, TAKEN};
 
 /// Nothing: not known.
 type Value = Option<bool>;
@@ -66,6 +66,28 @@ impl Scan<'_> {
         self.decisions[self.asked - 1]
     }
 
+    /// A call of the Add-On Instruction; gives the rung condition behind it.
+    fn gate(&mut self, given: Bit, taken: Bit, condition: Value) -> Value {
+        let program = self.program;
+        let (outer, zone) = (self.known, self.zone);
+        self.known &= condition.is_some();
+        self.set(ENABLE_OUT, condition);
+        // Its rungs begin true whatever the zone.
+        self.zone = Some(true);
+        let runs = [(condition != Some(false), &program.logic), (condition != Some(true), &program.when_false)];
+        for (runs, rungs) in runs {
+            if runs && !rungs.is_empty() {
+                self.set(GO, self.state[given]);
+                self.routine(rungs);
+                self.set(taken, self.state[DONE]);
+            }
+        }
+        let ran = condition == Some(true) || !program.when_false.is_empty();
+        let out = self.state[ENABLE_OUT];
+        (self.known, self.zone) = (outer, zone);
+        if ran { out } else { and(condition, out) }
+    }
+
     fn set(&mut self, bit: Bit, value: Value) {
         self.state[bit] = value.filter(|_| self.known);
     }
@@ -99,6 +121,9 @@ impl Scan<'_> {
                     condition = pulse;
                 }
                 Element::Coil(bit) => self.set(*bit, condition),
+                // A latch that is not executed, or that changes nothing, leaves the bit known.
+                Element::Latch(bit) | Element::Unlatch(bit)
+                    if condition == Some(false) || self.state[*bit] == Some(matches!(element, Element::Latch(_))) => {}
                 Element::Latch(bit) => self.set(*bit, or(self.state[*bit], condition)),
                 Element::Unlatch(bit) => self.set(*bit, and(self.state[*bit], not(condition))),
                 Element::Branch(legs) => {
@@ -129,6 +154,7 @@ impl Scan<'_> {
                     }
                     self.known = outer;
                 }
+                Element::Gate(given, taken) => condition = self.gate(*given, *taken, condition),
                 // An unconditional MCR ends the zone, another begins one.
                 Element::Zone if elements.len() == 1 => self.zone = Some(true),
                 Element::Zone => self.zone = and(self.zone, condition),
@@ -180,7 +206,7 @@ pub fn run(program: &Program, standard: [usize; SCANS], output: Bit) -> Option<[
     let mut state: State = (0..NAMES.len()).map(|bit| Some(program.set.contains(&bit))).collect();
     // A prescan clears what a coil writes, and sets the storage bit of a one-shot.
     let mut coils = Vec::new();
-    program.main.iter().chain(&program.part).for_each(|rung| prescan(rung, &mut coils));
+    program.main.iter().chain(&program.part).chain(&program.logic).for_each(|rung| prescan(rung, &mut coils));
     coils.iter().for_each(|bit| state[*bit] = Some(false));
     state[ONCE] = Some(true);
     SAFETY.iter().for_each(|bit| state[*bit] = None);
@@ -197,6 +223,8 @@ fn prescan(elements: &[Element], coils: &mut Vec<Bit>) {
     for element in elements {
         match element {
             Element::Coil(bit) => coils.push(*bit),
+            // `Done` is copied out; it begins with 0.
+            Element::Gate(_, taken) => coils.push(*taken),
             Element::Branch(legs) => legs.iter().for_each(|leg| prescan(leg, coils)),
             _ => {}
         }
