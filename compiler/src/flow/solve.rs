@@ -82,6 +82,8 @@ pub(super) struct Solver<'a> {
     keeps: Vec<Value>,
     /// By which read and write unqualified data may keep what a place holds.
     spoiled: Vec<Option<Step>>,
+    /// Places of several elements of which all are spoiled.
+    spread: Vec<bool>,
 }
 
 /// Solves the network for sources: what a place holds of itself. Reads that are `mended` count as qualified.
@@ -102,6 +104,7 @@ pub(crate) fn solve(network: &Network, source: impl Fn(Slot) -> Option<Kinds>, m
         is_source: (0..slots as u32).map(|slot| source(slot).is_some()).collect(),
         keeps: vec![Value::NONE; network.ops.len()],
         spoiled: vec![None; slots],
+        spread: vec![false; slots],
     };
     for rail in &network.rails {
         solver.give(*rail, Value::NEUTRAL, Step::Source);
@@ -297,6 +300,9 @@ impl Solver<'_> {
     /// The same for every bit that a variable subscript or a region may mean.
     pub fn spoil_elements(&mut self, slot: Slot, reasons: Value, write: u32) {
         if !matches!(self.network.places.keys[slot as usize].part, Part::Joint(_)) {
+            return;
+        }
+        if std::mem::replace(&mut self.spread[slot as usize], true) {
             return;
         }
         let (first, end) = (self.links.first[slot as usize], self.links.first[slot as usize + 1]);
