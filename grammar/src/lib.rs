@@ -18,6 +18,8 @@ mod text;
 pub mod tree;
 mod xml;
 
-pub use print::{print_element, print_expression, print_file, print_operand, print_rung, print_tag};
+pub use print::{
+    Unprintable, print_element, print_expression, print_file, print_file_checked, print_operand, print_rung, print_tag,
+};
 pub use read::{Reading, read, read_path};
 pub use reading::{read_expression, read_immediate, read_number, read_tag, read_words, unescape};

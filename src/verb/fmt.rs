@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use twinrung_grammar::tree::Sources;
-use twinrung_grammar::{print_file, read_path};
+use twinrung_grammar::{Unprintable, print_file_checked, read_path};
 
 use crate::findings;
 use crate::terminal::{self, Terminal};
@@ -60,7 +60,8 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
         findings::print_human(&mut terminal::err(), &report, Terminal::of_stdout(), true)?;
         return Err(failed(Unformatted(path.display().to_string())));
     }
-    let after = print_file(&reading.file);
+    let unprintable = |why| failed(NotWritable { path: path.display().to_string(), why });
+    let after = print_file_checked(&reading.file).map_err(unprintable)?;
     let is_rll = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll"));
     if !is_rll {
         terminal::out().write_all(after.as_bytes())?;
@@ -87,3 +88,18 @@ impl std::fmt::Display for Unformatted {
 }
 
 impl std::error::Error for Unformatted {}
+
+/// A file whose text would not read as what the file says is left as it is.
+#[derive(Debug)]
+struct NotWritable {
+    path: String,
+    why: Unprintable,
+}
+
+impl std::fmt::Display for NotWritable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: holds what .rll cannot say, and was left as it is; {}; correct it there", self.path, self.why)
+    }
+}
+
+impl std::error::Error for NotWritable {}

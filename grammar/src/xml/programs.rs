@@ -40,7 +40,7 @@ impl<'a> Reader<'a> {
 
     /// `<Routine>`, or `<EncodedData>` in its place.
     pub(super) fn routine(&mut self, element: &Element<'a>, around: Usage) -> Routine {
-        let fields = element.fields(&["Name", "Type", "Use"], &mut self.xml.errors);
+        let fields = element.fields(&["Name", "Type", "Use", "EncodedType"], &mut self.xml.errors);
         let mut routine = components::routine(element.name_of("Name"), fields, element.span);
         routine.usage = usage(element, around);
         if element.name == "EncodedData" {
