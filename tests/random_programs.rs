@@ -3,6 +3,8 @@
 //! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --executions 100000000`.
 
 use twinrung_catalog::Opcode;
+use twinrung_grammar::tree::Sources;
+use twinrung_grammar::{print_file_checked, read};
 use twinrung_trio::Trios;
 use twinrung_workbench::fuzz::Campaign;
 use twinrung_workbench::generate::{self, Size};
@@ -33,4 +35,22 @@ fn generator_when_given_one_seed_twice_then_program_and_stimulus_are_the_same() 
     let (first, second) = (generate::program(7, Size::SMALL), generate::program(7, Size::SMALL));
     assert_eq!(first, second);
     assert_eq!(generate::stimulus(7, &first, 20).steps.len(), generate::stimulus(7, &second, 20).steps.len());
+}
+
+/// REQ-LANG-030
+#[test]
+fn generated_programs_when_printed_then_their_text_reads_as_what_it_was_printed_from() {
+    let texts = (0..60).map(|seed| generate::program(seed, Size::LARGE).text);
+    let readings = texts.map(|text| read(&mut Sources::new(), "generated.rll", text.into_bytes()));
+    let wrong: Vec<_> = readings
+        .filter_map(|reading| {
+            reading
+                .errors
+                .first()
+                .cloned()
+                .map(|error| error.message)
+                .or_else(|| print_file_checked(&reading.file).err().map(|why| why.to_string()))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
