@@ -267,7 +267,15 @@ pub fn stimulus(file: &Path, named: Option<&Path>) -> io::Result<Option<Stimulus
     let path = match named {
         Some(path) => path,
         None if beside.is_file() => &beside,
-        None => return Ok(None),
+        None => {
+            if let Some(near) = file.parent().map(|folder| folder.join("stimulus.csv")).filter(|near| near.is_file()) {
+                terminal::tell(format_args!(
+                    "nothing drives the inputs: name the folder instead of the file, or --stimulus {}",
+                    near.display()
+                ));
+            }
+            return Ok(None);
+        }
     };
     let stimulus = Stimulus::read(&text(path)?);
     stimulus.map(Some).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))

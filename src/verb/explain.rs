@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 use twinrung_catalog::Instruction;
-use twinrung_workbench::pages::{Page, codes, findings, instruction};
+use twinrung_compiler::rules::uncertified;
+use twinrung_workbench::pages::{Page, codes, findings, index, instruction};
 
 use crate::exit;
 use crate::terminal::{self, Terminal};
@@ -13,11 +14,11 @@ use crate::terminal::{self, Terminal};
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Examples:\n  twinrung explain S0101\n  twinrung explain DCS\n  twinrung explain 16#4001 --for DCS\n  \
+    after_help = "Examples:\n  twinrung explain S0101\n  twinrung explain DCS\n  twinrung explain instructions\n  twinrung explain 16#4001 --for DCS\n  \
 twinrung explain II --for DIN"
 )]
 pub struct Explain {
-    /// A finding's code (S0101), a mnemonic (DCS), or the fault or diagnostic code that an instruction shows (16#4001)
+    /// A finding's code (S0101), a mnemonic (DCS), `instructions` for the list of them, or the fault or diagnostic code that an instruction shows (16#4001)
     what: String,
     /// The instruction that shows the fault or diagnostic code
     #[arg(long = "for", value_name = "MNEMONIC")]
@@ -47,10 +48,20 @@ pub fn run(arguments: &Explain) -> io::Result<ExitCode> {
 }
 
 fn of(what: &str) -> Result<Page, String> {
+    if what.eq_ignore_ascii_case("instructions") {
+        return Ok(index::page());
+    }
     findings::page(what)
         .or_else(|| Instruction::by_mnemonic(what).map(instruction::page))
         .or_else(|| codes::of_every_instruction(what))
-        .ok_or_else(|| {
-            format!("nothing is known as `{what}`; give a code such as S0101, or a certified instruction such as DCS")
+        .ok_or_else(|| match what {
+            _ if uncertified::is_known(what) => format!(
+                "{what} is an instruction of standard logic, and not certified for safety logic; `twinrung explain \
+                 instructions` lists those that are, `twinrung explain S0101` says why"
+            ),
+            _ => format!(
+                "nothing is known as `{what}`; give a code such as S0101, or a certified instruction such as DCS \
+                 (`twinrung explain instructions` lists them)"
+            ),
         })
 }

@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
         let mut found = (false, false);
         for one in &conditions.list {
             match (one.call.opcode(), &*one.operands) {
-                (Some(Opcode::Lim), [low, test, high]) if is_value(test) => {
+                (Some(Opcode::Lim), [low, test, high]) if is_value(test) && !self.admits_outside(low, high) => {
                     found.0 |= is_bound(low);
                     found.1 |= is_bound(high);
                 }
@@ -243,6 +243,17 @@ impl<'a> Reader<'a> {
             }
         }
         found
+    }
+
+    /// Whether a LIM with these bounds passes what lies outside them: its low limit is above its high one
+    /// (general-instructions.md A.4). Of bounds that are tags that is not known.
+    fn admits_outside(&self, low: &OperandUse, high: &OperandUse) -> bool {
+        let literal = |one: &OperandUse| match self.project.operand(one.id) {
+            Operand::Integer { value, .. } => Some(f64::from(*value)),
+            Operand::Real(bits) => Some(f64::from(f32::from_bits(*bits))),
+            _ => None,
+        };
+        literal(low).zip(literal(high)).is_some_and(|(low, high)| low > high)
     }
 
     /// Whether a one-shot behind these conditions is the edge of the acknowledgement, and of nothing else: behind a

@@ -25,12 +25,15 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         let Some(own) = project.operand(backing.id).reference().filter(|_| declaration.safety.is_some()) else {
             return;
         };
-        for one in operands {
+        for (one, declared) in operands.iter().zip(declaration.operands.iter().skip(1)) {
             let Some(reference) = project.operand(one.id).reference() else { continue };
             if within(project, reference, own) {
                 let name = usage::name_of(project, reference);
                 let message = format!("`{name}` belongs to the very call that takes it as an operand");
-                findings.push(Finding::new(&CODE, one.span, message).help("give the instruction a tag of your own"));
+                findings.push(Finding::new(&CODE, one.span, message).help(format!(
+                    "give {} a tag that your logic or a module writes; a member of another instruction's backing tag will do",
+                    declared.name
+                )));
             }
         }
     });

@@ -16,5 +16,5 @@ rule! {
 /// The finding for a length that is no literal.
 pub(crate) fn finding(shown: &Operand) -> Finding {
     let message = format!("the length is `{}`, not a constant", shown.text);
-    Finding::new(&CODE, shown.span, message).help("write the number of elements")
+    Finding::new(&CODE, shown.span, message).help("write the number of elements as a literal; parts whose number varies are copied one by one")
 }

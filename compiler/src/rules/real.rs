@@ -51,5 +51,5 @@ fn declared(profile: &Profile, name: &str, type_name: &str, span: Span) -> Findi
     let is_real = type_name.eq_ignore_ascii_case("REAL");
     let holds = if is_real { "is REAL".to_owned() } else { format!("is a {type_name}, which holds REAL") };
     let message = format!("`{name}` {holds}: the {} has no REAL in safety data", profile.controller.catalog_number);
-    Finding::new(&CODE, span, message).help("use DINT, in a finer unit")
+    Finding::new(&CODE, span, message).help("use DINT in a finer unit (hundredths, with what it is compared with scaled alike), or a 1756-L7xS or later")
 }

@@ -5,6 +5,7 @@ use twinrung_grammar::tree::TagReference;
 use crate::diagnostic::Finding;
 use crate::project::Tag;
 use crate::project::reading::Context;
+use crate::rules::tag_map;
 
 rule! {
     /// A standard tag in safety logic.
@@ -21,9 +22,13 @@ pub(crate) fn finding(context: &Context<'_>, declared: &Tag, tag: &TagReference,
     let does = if writes { "writes" } else { "reads" };
     let message = format!("safety logic {does} the standard tag `{}`", declared.name);
     let help = if writes {
-        "declare it with Class := Safety; standard logic may read it there"
+        "declare it with Class := Safety; standard logic may read it there".to_owned()
     } else {
-        "declare it with Class := Safety, or map it: Safe_Copy : BOOL (Class := Safety, MappedFrom := the standard tag)"
+        let (name, type_name) = (&declared.name, tag_map::type_text(declared));
+        format!(
+            "let it come in through the tag map: declare Safe_{name} : {type_name} (Class := Safety, MappedFrom := {name}) \
+             and use that, in series with safety data; declare it with Class := Safety only where safety logic alone writes it"
+        )
     };
     Finding::new(&CODE, tag.base.span, message).label(declared.span, "declared here, of class Standard").help(help)
 }

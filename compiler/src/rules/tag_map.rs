@@ -47,7 +47,8 @@ pub(crate) fn finding(standard: &str, source: Option<&Tag>, receiver: &Tag, span
     None
 }
 
-fn type_text(tag: &Tag) -> String {
+/// The type of a tag as text writes it.
+pub(crate) fn type_text(tag: &Tag) -> String {
     let sizes: Vec<String> = tag.dimensions.iter().take_while(|size| **size > 0).map(u32::to_string).collect();
     if sizes.is_empty() { tag.type_name.to_string() } else { format!("{}[{}]", tag.type_name, sizes.join(",")) }
 }

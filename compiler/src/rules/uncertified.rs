@@ -34,8 +34,8 @@ pub(crate) fn standard_add_on(mnemonic: &Name) -> Finding {
         .help("declare it with Class := Safety; its own logic is then held to the safety rules")
 }
 
-/// Standard instructions that exist (L5Sharp's instruction table).
-fn is_known(mnemonic: &str) -> bool {
+/// Whether this is an instruction of standard logic (L5Sharp's instruction table) that safety logic may not hold.
+pub fn is_known(mnemonic: &str) -> bool {
     const KNOWN: [&str; 60] = [
         "ABL", "ACB", "ACL", "ACS", "AHL", "ALMA", "ALMD", "ARD", "ARL", "ASN", "ATN", "AVE", "AWA", "AWT", "BSL", "BSR",
         "BTD", "CONCAT", "COS", "CPS", "DDT", "DEG", "DELETE", "DTOS", "DTR", "FBC", "FFL", "FFU", "FIND", "FOR", "BRK",

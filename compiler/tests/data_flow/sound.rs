@@ -211,3 +211,10 @@ fn findings_when_there_are_more_than_are_looked_for_then_the_last_says_so() {
     let further = shown.iter().filter(|message| message.contains("there may be further paths")).count();
     assert_eq!(further, 1);
 }
+
+#[test]
+fn parameter_when_its_range_is_the_wrong_way_round_then_refused() {
+    let with = |range: &str| on_rungs(&format!("XIC(Ack)ONS(Edge)EQU(Num,Num2){range}MOV(Num,V)\n{PARAMETER}"));
+    assert_eq!(with("LIM(1,Num,100)"), Vec::<String>::new());
+    assert_eq!(with("LIM(100,Num,1)"), ["S0704 Num"]);
+}

@@ -105,12 +105,12 @@ impl fmt::Display for Campaign {
         let Counts { scans, faulted, over_budget, cleared, instructions, executions } = &self.total;
         write!(
             f,
-            "{} programs, {} refused, {scans} scans ({faulted} faulted, {over_budget} over budget, {cleared} faults cleared), \
-             {instructions} instructions, {} rung executions, {} failures",
+            "{} programs, {} refused, {scans} scans, {instructions} instructions, {} rung executions, {} failures; on purpose \
+             {faulted} scans end in a major fault and {over_budget} at the budget, and {cleared} faults are cleared",
             self.programs,
             self.refused,
             executions.rungs,
-            self.failures.len()
+            self.failures.len(),
         )
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use twinrung_catalog::{Group, Instruction, instructions};
 
-use super::instruction;
+use super::{Block, Page, Table, instruction};
 
 /// A file of `docs/instructions`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,6 +23,20 @@ pub fn files() -> Vec<File> {
     };
     let table = File { name: "README.md".to_owned(), text: table() };
     std::iter::once(table).chain(instructions::ALL.iter().map(page)).collect()
+}
+
+/// The list of all instructions, for a terminal.
+pub fn page() -> Page {
+    let mut blocks = Vec::new();
+    for (group, heading) in GROUPS {
+        blocks.push(Block::Heading(heading.to_owned()));
+        let of_group = instructions::ALL.iter().filter(|one| one.group == group);
+        blocks.push(Block::Table(Table {
+            heads: vec!["instruction", "name", "what it does"],
+            rows: of_group.map(|one| [one.mnemonic, one.name, one.summary].map(str::to_owned).to_vec()).collect(),
+        }));
+    }
+    Page { title: "Every instruction that safety logic may hold".to_owned(), blocks }
 }
 
 fn file_name(instruction: &Instruction) -> String {
