@@ -1,17 +1,27 @@
 //! Writing files: whole, or not at all.
 
+use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
 /// Writes a file under a temporary name beside its place, flushes it to the disk and renames it: a reader sees the old file or
-/// the new one.
+/// the new one. Through a link its target is written; a device or a pipe is written as it is, never replaced by a file.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let before = fs::metadata(path).ok();
+    if before.as_ref().is_some_and(|before| !before.is_file() && !before.is_dir()) {
+        return fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
+    }
+    let place = if before.is_some() { fs::canonicalize(path)? } else { path.to_path_buf() };
+    let path = place.as_path();
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     let mut file = tempfile::NamedTempFile::new_in(folder)?;
     file.write_all(bytes)?;
+    if let Some(before) = before.filter(fs::Metadata::is_file) {
+        file.as_file().set_permissions(before.permissions())?;
+    }
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
     Ok(())

@@ -40,7 +40,7 @@ impl<W: Write> Write for Unread<W> {
     }
 }
 
-/// The standard output.
+/// Where text goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Terminal {
     /// Columns; 100 where it is no terminal.
@@ -57,7 +57,15 @@ const COLUMNS_MAX: usize = 160;
 impl Terminal {
     /// Looks at the standard output.
     pub fn of_stdout() -> Terminal {
-        let is_terminal = io::stdout().is_terminal();
+        Terminal::of(io::stdout().is_terminal())
+    }
+
+    /// Looks at the standard error.
+    pub fn of_stderr() -> Terminal {
+        Terminal::of(io::stderr().is_terminal())
+    }
+
+    fn of(is_terminal: bool) -> Terminal {
         let columns = terminal_size::terminal_size()
             .filter(|_| is_terminal)
             .map_or(COLUMNS_WITHOUT_TERMINAL, |(width, _)| usize::from(width.0).min(COLUMNS_MAX));

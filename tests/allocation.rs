@@ -14,7 +14,7 @@ use twinrung_primary::Primary;
 use twinrung_trio::Subject;
 use twinrung_workbench::drive::Drive;
 use twinrung_workbench::generate::{self, Size};
-use twinrung_workbench::{Stimulus, Value, cells, names};
+use twinrung_workbench::{Stimulus, cells, names};
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
@@ -30,12 +30,23 @@ fn loaded(subject: &Subject) -> Controller<Primary, Partner> {
     controller
 }
 
-/// One scan, and how many bytes were held at some moment of it beyond those held before.
-fn taken_by_scan(controller: &mut Controller<Primary, Partner>, now_ms: u64) -> usize {
-    let before = ALLOCATED.current_usage();
-    ALLOCATED.reset_peak_usage();
-    controller.scan(now_ms as i64);
-    ALLOCATED.peak_usage().saturating_sub(before)
+/// What scans took together.
+#[derive(Default)]
+struct Taken {
+    /// Scans that ran to their end.
+    scans: u64,
+    /// Bytes that were held at some moment of a scan beyond those held before it.
+    bytes: usize,
+}
+
+impl Taken {
+    fn scan(&mut self, controller: &mut Controller<Primary, Partner>, now_ms: u64) {
+        let before = ALLOCATED.current_usage();
+        ALLOCATED.reset_peak_usage();
+        let report = controller.scan(now_ms as i64);
+        self.bytes += ALLOCATED.peak_usage().saturating_sub(before);
+        self.scans += u64::from(report.stopped.is_none());
+    }
 }
 
 fn sample(folder: &Path) -> (Subject, Stimulus) {
@@ -46,23 +57,23 @@ fn sample(folder: &Path) -> (Subject, Stimulus) {
     (Subject::from_project(project), stimulus)
 }
 
-fn samples_take() -> usize {
+fn samples_take() -> Taken {
     let folders = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("samples")).unwrap();
     let folders = folders.map(|entry| entry.unwrap().path()).filter(|path| path.join("project.rll").is_file());
-    let mut taken = 0;
+    let mut taken = Taken::default();
     for (subject, stimulus) in folders.map(|folder| sample(&folder)) {
         let mut controller = loaded(&subject);
         let mut drive = Drive::new(&mut controller, &stimulus).unwrap();
         for now_ms in (0..=stimulus.last_ms()).step_by(10) {
             drive.until(&mut controller, now_ms);
-            taken += taken_by_scan(&mut controller, now_ms);
+            taken.scan(&mut controller, now_ms);
         }
     }
     taken
 }
 
-fn random_programs_take() -> usize {
-    let mut taken = 0;
+fn random_programs_take() -> Taken {
+    let mut taken = Taken::default();
     for seed in 0..PROGRAMS {
         let generated = generate::program(seed, Size::SMALL);
         let stimulus = generate::stimulus(seed, &generated, SCANS);
@@ -73,15 +84,10 @@ fn random_programs_take() -> usize {
             let (primary, partner) = controller.channels_mut();
             for (name, value) in &step.values {
                 let signal = names::signal(&subject.image, name).unwrap();
-                let held = match *value {
-                    Value::Real(value) => value.to_bits() as i32,
-                    Value::Integer(value) => value,
-                    Value::Bool(value) => i32::from(value),
-                };
-                cells::write(primary, signal, held);
-                cells::write(partner, signal, held);
+                cells::write(primary, signal, cells::held(*value));
+                cells::write(partner, signal, cells::held(*value));
             }
-            taken += taken_by_scan(&mut controller, step.now_ms as u64);
+            taken.scan(&mut controller, step.now_ms as u64);
         }
     }
     taken
@@ -94,5 +100,7 @@ fn scans_when_run_over_samples_and_random_programs_then_nothing_is_allocated() {
     ALLOCATED.reset_peak_usage();
     drop(std::hint::black_box(vec![0_u8; 4096]));
     assert!(ALLOCATED.peak_usage() >= probe + 4096, "the allocator does not count");
-    assert_eq!((samples_take(), random_programs_take()), (0, 0));
+    let (samples, programs) = (samples_take(), random_programs_take());
+    assert_eq!((samples.bytes, programs.bytes), (0, 0));
+    assert!(samples.scans > 1000 && programs.scans > 200, "{} and {} scans ran", samples.scans, programs.scans);
 }

@@ -131,15 +131,15 @@ fn loaded(arguments: &Bench, out: &mut dyn Write) -> io::Result<Result<Loaded, E
     let mix = arguments.mix.unwrap_or(Mix::Simple);
     let program = Program::new(mix, arguments.rungs, arguments.seed);
     if let Some(folder) = &arguments.keep {
-        keep(&program, folder, arguments.scans)?;
+        keep(&program, folder, arguments.scans, arguments.toggles)?;
     }
     let name = PathBuf::from(format!("{mix}.rll"));
     input::image_of(out, &name, &input::read_text(&name, &program.rll()), NOTHING_MEASURED)
 }
 
-fn keep(program: &Program, folder: &std::path::Path, scans: u64) -> io::Result<()> {
+fn keep(program: &Program, folder: &std::path::Path, scans: u64, toggles: usize) -> io::Result<()> {
     std::fs::create_dir_all(folder)?;
     files::write_whole(&folder.join("project.rll"), program.rll().as_bytes())?;
     files::write_whole(&folder.join("project.L5X"), program.l5x().as_bytes())?;
-    files::write_whole(&folder.join("stimulus.csv"), twinrung_workbench::mix::Toggles::csv(scans).as_bytes())
+    files::write_whole(&folder.join("stimulus.csv"), twinrung_workbench::mix::Toggles::csv(scans, toggles).as_bytes())
 }

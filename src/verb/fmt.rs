@@ -57,7 +57,7 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
         let found: Vec<_> = reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding).collect();
         let trees = std::slice::from_ref(&reading.file);
         let report = findings::Report { sources: &sources, trees, findings: &found };
-        findings::print_human(&mut terminal::err(), &report, Terminal::of_stdout(), true)?;
+        findings::print_human(&mut terminal::err(), &report, Terminal::of_stderr(), true)?;
         return Err(failed(Unformatted(path.display().to_string())));
     }
     let unprintable = |why| failed(NotWritable { path: path.display().to_string(), why });

@@ -12,10 +12,10 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Subject, ran, replay, size_of};
+use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Subject, is_replaying, ran, replay, size_of};
 use twinrung_workbench::generate::Size;
 
-use crate::{failed, files, input, terminal};
+use crate::{exit, failed, files, input, terminal};
 
 /// The evaluators that run against each other.
 #[cfg(not(feature = "judge"))]
@@ -31,27 +31,27 @@ as CASES/seed-N.rll and CASES/seed-N.csv, which --replay runs again.\n\
 Exit code: 0 no difference, 1 a difference, 2 unreadable."
 )]
 pub struct Fuzz {
-    /// How long, as 30s, 5m or 2h
+    /// How long, as 30s, 5m or 2h; a program that was begun is run to its end, and what differs made small
     #[arg(long, value_name = "TIME", default_value = "30s", value_parser = duration)]
     time: Duration,
     /// The first seed
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// End after so many programs
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     programs: Option<u64>,
     /// Scans of each program
-    #[arg(long, value_name = "N", default_value_t = 300)]
-    scans: usize,
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=SCANS_MAX))]
+    scans: u32,
     /// Rungs of each main routine; without it one program in four is large
-    #[arg(long, value_name = "N")]
-    rungs: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=RUNGS_MAX))]
+    rungs: Option<u32>,
     /// Threads; as many as there are cores where this is not given
-    #[arg(long, value_name = "N")]
-    jobs: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=JOBS_MAX))]
+    jobs: Option<u32>,
     /// End after so many differences
-    #[arg(long, value_name = "N", default_value_t = 5)]
-    differences: usize,
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
+    differences: u32,
     /// Folder for what differs
     #[arg(long, value_name = "FOLDER", default_value = "cases")]
     cases: PathBuf,
@@ -59,11 +59,15 @@ pub struct Fuzz {
     #[arg(long)]
     coverage: bool,
     /// Run a case again: its .rll, with the .csv beside it
-    #[arg(long, value_name = "CASE", conflicts_with_all = ["seed", "programs", "rungs", "jobs", "coverage"])]
+    #[arg(long, value_name = "CASE", conflicts_with_all = ["time", "seed", "programs", "scans", "rungs", "jobs", "differences", "cases", "coverage"])]
     replay: Option<PathBuf>,
 }
 
-const DIFFER: u8 = 1;
+/// More scans of one program say nothing that another program would not say sooner.
+const SCANS_MAX: i64 = 1_000_000;
+/// Rungs of a main routine: what a program of the generator still compiles within the limits.
+const RUNGS_MAX: i64 = 2_000;
+const JOBS_MAX: i64 = 1_024;
 
 /// A time as people write it.
 fn duration(text: &str) -> Result<Duration, String> {
@@ -80,8 +84,13 @@ fn duration(text: &str) -> Result<Duration, String> {
 
 /// Runs.
 pub fn run(arguments: &Fuzz) -> io::Result<ExitCode> {
-    // A panic of an evaluator is caught, made small and reported as what it is: a defect.
-    std::panic::set_hook(Box::new(|_| {}));
+    // A panic of an evaluator is caught, made small and reported as what it is: a defect. Others are heard.
+    let heard = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !is_replaying() {
+            heard(panic);
+        }
+    }));
     match &arguments.replay {
         Some(case) => again(case),
         None => campaign(arguments),
@@ -105,19 +114,21 @@ fn again(path: &Path) -> io::Result<ExitCode> {
         Outcome::Refused(findings) => Err(io::Error::other(findings.join("\n"))),
         Outcome::Failed { report, steps } => {
             writeln!(out, "{}: after step {steps}: {}", path.display(), report.trim_end())?;
-            Ok(ExitCode::from(DIFFER))
+            Ok(ExitCode::from(exit::REFUSED))
         }
     }
 }
 
 fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
-    let jobs = arguments.jobs.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+    let cores = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let jobs = arguments.jobs.map_or(cores, |jobs| jobs as usize);
     let (next, over) = (AtomicU64::new(arguments.seed), AtomicBool::new(false));
     let end = arguments.programs.map_or(u64::MAX, |programs| arguments.seed.saturating_add(programs));
     let begun = Instant::now();
     let bar = progress(arguments);
     let mut campaign = Campaign::default();
-    thread::scope(|scope| -> io::Result<()> {
+    let mut unwritten = None;
+    thread::scope(|scope| {
         let (sender, receiver) = mpsc::channel::<(u64, Ran)>();
         for _ in 0..jobs {
             let sender = sender.clone();
@@ -125,8 +136,9 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
             scope.spawn(move || {
                 while !over.load(Ordering::Relaxed) && begun.elapsed() < arguments.time {
                     let seed = next.fetch_add(1, Ordering::Relaxed);
-                    let size = arguments.rungs.map_or_else(|| size_of(seed), Size::of_rungs);
-                    if seed >= end || sender.send((seed, ran::<Contest>(seed, size, arguments.scans))).is_err() {
+                    let size = arguments.rungs.map_or_else(|| size_of(seed), |rungs| Size::of_rungs(rungs as usize));
+                    let scans = arguments.scans as usize;
+                    if seed >= end || sender.send((seed, ran::<Contest>(seed, size, scans))).is_err() {
                         break;
                     }
                 }
@@ -136,15 +148,20 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
         for (seed, ran) in receiver {
             campaign.add(seed, ran);
             show(&bar, &campaign, begun.elapsed());
-            if campaign.failures.last().is_some_and(|failure| failure.seed == seed) {
-                written(&arguments.cases, &campaign)?;
+            let is_new = campaign.failures.last().is_some_and(|failure| failure.seed == seed);
+            if let (true, Err(error)) = (is_new, written(&arguments.cases, &campaign)) {
+                unwritten.get_or_insert(error);
             }
-            over.fetch_or(campaign.failures.len() >= arguments.differences, Ordering::Relaxed);
+            over.fetch_or(campaign.failures.len() >= arguments.differences as usize, Ordering::Relaxed);
         }
-        Ok(())
-    })?;
+    });
     bar.finish_and_clear();
-    summary(arguments, &campaign, begun.elapsed())
+    let code = summary(arguments, &campaign, begun.elapsed())?;
+    // What was found stands in the output even where its files could not be written.
+    if let Some(error) = unwritten {
+        terminal::tell(format_args!("twinrung: {error}"));
+    }
+    Ok(code)
 }
 
 fn progress(arguments: &Fuzz) -> ProgressBar {
@@ -188,6 +205,9 @@ fn summary(arguments: &Fuzz, campaign: &Campaign, took: Duration) -> io::Result<
     for (finding, (count, seed)) in &campaign.reasons {
         writeln!(out, "refused {count}, first of seed {seed}: {finding}")?;
     }
+    if campaign.programs == campaign.refused {
+        return Err(io::Error::other("no program was run: give --time or --programs more"));
+    }
     let coverage = &campaign.total.executions.coverage;
     if arguments.coverage {
         write!(out, "{coverage}")?;
@@ -212,7 +232,7 @@ fn summary(arguments: &Fuzz, campaign: &Campaign, took: Duration) -> io::Result<
     )?;
     if let Some(failure) = campaign.failures.first() {
         writeln!(out, "run it again: twinrung fuzz --replay {}/seed-{}.rll", arguments.cases.display(), failure.seed)?;
-        return Ok(ExitCode::from(DIFFER));
+        return Ok(ExitCode::from(exit::REFUSED));
     }
     Ok(ExitCode::SUCCESS)
 }

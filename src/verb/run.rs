@@ -148,7 +148,7 @@ fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: D
     let Some((scan, time_ms, reason)) = outcome.stopped else {
         writeln!(
             out,
-            "{} scans, no difference between the channels; at most {} instructions in a scan ({} ms)",
+            "{} scans, no difference between the channels; at most {} instructions in a scan; took {} ms",
             outcome.scans,
             outcome.instructions_max,
             took.as_millis()

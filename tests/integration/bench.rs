@@ -200,7 +200,7 @@ fn mixes_when_generated_then_they_are_those_of_the_shared_generator() {
     let Some(generator) = shared_path("bench/gen.py") else { return };
     for (mix, seed) in [(Mix::Simple, 1), (Mix::Plant, 1), (Mix::Plant, 2), (Mix::Plant, 77)] {
         let program = Program::new(mix, 700, seed);
-        let own = [program.rll(), program.l5x(), Toggles::csv(20)];
+        let own = [program.rll(), program.l5x(), Toggles::csv(20, 16)];
         assert!(own == generated(&generator, mix, seed), "{mix}, seed {seed}");
     }
 }

@@ -86,13 +86,25 @@ fn bench_when_in_real_time_then_it_shows_how_late_scans_began() {
 fn bench_when_a_mix_is_kept_then_program_and_stimulus_lie_in_the_folder() {
     let folder = tempfile::tempdir().unwrap();
     let keep = folder.path().join("kept");
-    let said =
-        bench(&["--mix", "plant", "--rungs", "50", "--seed", "3", "--scans", "20", "--keep", keep.to_str().unwrap()]);
+    let said = bench(&[
+        "--mix",
+        "plant",
+        "--rungs",
+        "50",
+        "--seed",
+        "3",
+        "--scans",
+        "20",
+        "--toggles",
+        "4",
+        "--keep",
+        keep.to_str().unwrap(),
+    ]);
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert_eq!(json(&said)["hash"].as_str().unwrap().len(), 16);
     let program = Program::new(Mix::Plant, 50, 3);
     assert!(text(&keep.join("project.rll")) == program.rll() && text(&keep.join("project.L5X")) == program.l5x());
-    assert_eq!(text(&keep.join("stimulus.csv")), Toggles::csv(20));
+    assert_eq!(text(&keep.join("stimulus.csv")), Toggles::csv(20, 4));
 }
 
 #[test]

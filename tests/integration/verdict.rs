@@ -134,3 +134,29 @@ fn images_when_they_cannot_be_written_then_nothing_is_left_behind() {
         Some(2)
     );
 }
+
+/// REQ-CHECK-007
+#[cfg(unix)]
+#[test]
+fn images_when_written_through_a_link_then_its_target_holds_them_and_the_link_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let (target, link) = (folder.path().join("target.image"), folder.path().join("link.image"));
+    fs::write(&target, "yesterday").unwrap();
+    std::os::unix::fs::symlink(&target, &link).unwrap();
+    let said = twinrung(&["build", "samples/add-on-instruction/project.rll", "-o", link.to_str().unwrap()]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(fs::metadata(&target).unwrap().len() > 1000);
+}
+
+/// REQ-CHECK-007. A device that a file replaces is gone for every program of the machine.
+#[cfg(unix)]
+#[test]
+fn images_when_written_to_what_is_no_file_then_it_is_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let socket = folder.path().join("socket");
+    let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+    let said = twinrung(&["build", "samples/add-on-instruction/project.rll", "-o", socket.to_str().unwrap()]);
+    assert_eq!(said.code, Some(2), "{}", said.out);
+    assert!(!fs::metadata(&socket).unwrap().is_file());
+}

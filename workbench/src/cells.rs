@@ -1,6 +1,6 @@
 //! Values in a channel's cells, however the channel represents them.
 
-use crate::signal::Signal;
+use crate::signal::{Signal, Value};
 use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::{Channel, Representation};
 
@@ -24,6 +24,15 @@ pub fn plain_bits<C: Channel>(channel: &C, range: &CellRange) -> Vec<u8> {
 pub fn plain_words<C: Channel>(channel: &C, range: &CellRange) -> Vec<i32> {
     let words = &channel.words()[range.word_cell as usize..][..range.word_cells as usize];
     words.iter().copied().map(plain_word::<C>).collect()
+}
+
+/// What a cell holds for a value: a REAL as its bits, a BOOL as 0 or 1.
+pub fn held(value: Value) -> i32 {
+    match value {
+        Value::Real(value) => value.to_bits() as i32,
+        Value::Integer(value) => value,
+        Value::Bool(value) => i32::from(value),
+    }
 }
 
 /// What stands in a cell; a REAL as its bits. Panics where the signal is none of the channel's cells.

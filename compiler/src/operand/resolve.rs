@@ -70,7 +70,7 @@ fn begin(context: &Context<'_>, scope: Scope, tag: &TagReference, writes: bool) 
         return Err(Refusal::Finding(fault.clone()));
     }
     if declared.class == TagClass::Standard {
-        return Err(rules::standard_tag::finding(context, declared, tag, writes).into());
+        return Err(rules::standard_tag::finding(declared, tag, writes).into());
     }
     if by_slot {
         context.note_slot_name(id);

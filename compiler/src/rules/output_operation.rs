@@ -25,7 +25,8 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         };
         for point in &module.points {
             let setting = point.setting("Channel").filter(|one| one.value.eq_ignore_ascii_case("SINGLE"));
-            let Some(setting) = setting else { continue };
+            let unused = point.setting("Mode").is_some_and(|mode| mode.value.eq_ignore_ascii_case("NOT_USED"));
+            let Some(setting) = setting.filter(|_| !unused) else { continue };
             let message = format!("{} is single, and the {} {why}", point.name, known.catalog_number);
             let finding = Finding::new(&CODE, setting.value_span, message);
             findings.push(finding.help("set both outputs of the pair to Channel := DUAL, and write both"));

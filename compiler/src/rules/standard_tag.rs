@@ -4,7 +4,6 @@ use twinrung_grammar::tree::TagReference;
 
 use crate::diagnostic::Finding;
 use crate::project::Tag;
-use crate::project::reading::Context;
 use crate::rules::tag_map;
 
 rule! {
@@ -17,8 +16,7 @@ rule! {
 }
 
 /// The finding for a reference to a standard tag.
-pub(crate) fn finding(context: &Context<'_>, declared: &Tag, tag: &TagReference, writes: bool) -> Finding {
-    let _ = context;
+pub(crate) fn finding(declared: &Tag, tag: &TagReference, writes: bool) -> Finding {
     let does = if writes { "writes" } else { "reads" };
     let message = format!("safety logic {does} the standard tag `{}`", declared.name);
     let help = if writes {

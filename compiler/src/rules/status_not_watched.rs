@@ -14,7 +14,7 @@ rule! {
     "When a connection is lost its data reads 0, which is not always the safe value and returns by itself. Read ConnectionFaulted (or RunMode, or a status that a safety instruction takes) of every input connection.",
     "1756-RM093 Table 9; DESIGN 4",
     good: "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Field_In (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE\n  MODULE Field_Out (CatalogNumber := \"1734-OB8S\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE\n  TAG\n    Run : BOOL (Class := Safety);\n  END_TAG\n  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n      N: XIC(Field_In:I.Pt00Data)XIO(Field_In:I.ConnectionFaulted)XIO(Field_Out:I.ConnectionFaulted)[OTE(Field_Out:O.Pt00Data) ,OTE(Run) ];\n    END_ROUTINE\n  END_PROGRAM\n  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n    Safety_Main;\n  END_TASK\nEND_CONTROLLER\n",
-    bad: "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Field_In (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE\n  MODULE Field_Out (CatalogNumber := \"1734-OB8S\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE\n  TAG\n    Run : BOOL (Class := Safety);\n  END_TAG\n  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n      N: XIC(<<Field_In:I.Pt00Data>>)XIO(Field_Out:I.ConnectionFaulted)OTE(Field_Out:O.Pt00Data);\n    END_ROUTINE\n  END_PROGRAM\n  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n    Safety_Main;\n  END_TASK\nEND_CONTROLLER\n"
+    bad: "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n  MODULE Field_In (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE\n  MODULE Field_Out (CatalogNumber := \"1734-OB8S\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE\n  TAG\n    Run : BOOL (Class := Safety);\n  END_TAG\n  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n      N: XIC(<<Field_In:I.Pt00Data>>)XIC(Field_In:I.Muting01Status)XIO(Field_Out:I.ConnectionFaulted)OTE(Field_Out:O.Pt00Data);\n    END_ROUTINE\n  END_PROGRAM\n  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n    Safety_Main;\n  END_TASK\nEND_CONTROLLER\n"
 }
 
 /// Input and consumed tags of which logic reads data and no status.
@@ -30,7 +30,7 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
         if !matches!(tag.kind, TagKind::ModuleInput(_) | TagKind::Consumed) || tag.class != TagClass::Safety {
             return;
         }
-        if is_status(&usage::last_member(project, access.reference)) {
+        if watches_connection(&usage::last_member(project, access.reference)) {
             watched.insert(id);
         } else {
             used.entry(id).or_insert(access.span);
@@ -49,10 +49,14 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     }
 }
 
-/// Whether a member of a connection's tag tells if the connection, or a point behind it, is sound.
-pub fn is_status(member: &str) -> bool {
+/// Whether a member of a connection's tag tells if the connection, or a point behind it, is sound. The status of a muting lamp,
+/// of the power or of a test output does not.
+pub fn watches_connection(member: &str) -> bool {
     let name = member.to_ascii_lowercase();
-    name == "connectionfaulted" || name == "runmode" || name.ends_with("status")
+    let of_point = ["pt", "ch"].iter().any(|letters| name.starts_with(letters)) && !name.ends_with("testoutputstatus");
+    name == "connectionfaulted"
+        || name == "runmode"
+        || (name.ends_with("status") && (of_point || name.starts_with("combined")))
 }
 
 fn has_status(project: &Project, reference: Option<TypeReference>) -> bool {

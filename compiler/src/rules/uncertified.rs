@@ -34,13 +34,13 @@ pub(crate) fn standard_add_on(mnemonic: &Name) -> Finding {
         .help("declare it with Class := Safety; its own logic is then held to the safety rules")
 }
 
-/// Whether this is an instruction of standard logic (L5Sharp's instruction table) that safety logic may not hold.
+/// Whether this is an instruction of standard logic that safety logic may not hold, of those that exports show most.
 pub fn is_known(mnemonic: &str) -> bool {
     const KNOWN: [&str; 60] = [
         "ABL", "ACB", "ACL", "ACS", "AHL", "ALMA", "ALMD", "ARD", "ARL", "ASN", "ATN", "AVE", "AWA", "AWT", "BSL", "BSR",
         "BTD", "CONCAT", "COS", "CPS", "DDT", "DEG", "DELETE", "DTOS", "DTR", "FBC", "FFL", "FFU", "FIND", "FOR", "BRK",
         "FRD", "INSERT", "IOT", "LFL", "LFU", "LN", "LOG", "LOWER", "MID", "MSG", "PID", "RAD", "RTOS", "SFP", "SFR",
-        "SIN", "SQI", "SQL", "SQO", "SRT", "STD", "STOD", "STOR", "SWPBT", "TAN", "TOD", "TRN", "UID", "XPY",
+        "SIN", "SQI", "SQL", "SQO", "SRT", "STD", "STOD", "STOR", "TAN", "TOD", "TRN", "UID", "UPPER", "XPY",
     ];
     KNOWN.iter().any(|known| known.eq_ignore_ascii_case(mnemonic))
 }

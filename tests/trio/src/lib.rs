@@ -1,7 +1,7 @@
 //! One program, three evaluators: primary, partner and judge execute the same scans, and every tag, flag, count, fault
 //! record and event is compared after each. No execution test can forget an engine, since there is no other way to run one.
 //!
-//! For tests, fuzzing and, behind a feature, the command. It may use everything; nothing but tests may use it.
+//! For tests, `fuzz/` and, behind the feature `judge`, `twinrung fuzz`. It may use everything; no release may use it.
 
 #![forbid(unsafe_code)]
 

@@ -3,7 +3,7 @@
 use twinrung_bytecode::image::TypeReference;
 use twinrung_catalog::Element;
 use twinrung_compiler::project::{Project, TagClass, TagId, TagKind};
-use twinrung_compiler::rules::status_not_watched::is_status;
+use twinrung_compiler::rules::status_not_watched::watches_connection;
 use twinrung_grammar::tree::{AttributeValue, Module, PointKind};
 
 use super::usage::{Cell, Index, Uses};
@@ -60,7 +60,7 @@ fn channels<'a>(evidence: &Evidence<'a>, project: &Project, used: &Index, output
                 Some((member.name.as_str(), used.of_cell(id, cell)))
             })
             .collect();
-        let statuses = members.iter().filter(|(name, _)| is_status(name)).map(|(_, uses)| uses.clone());
+        let statuses = members.iter().filter(|(name, _)| watches_connection(name)).map(|(_, uses)| uses.clone());
         let status = statuses.reduce(|all, one| all.and(&one));
         for (member, uses) in members {
             let Some(number) = point_number(member) else { continue };

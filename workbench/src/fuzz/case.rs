@@ -86,13 +86,11 @@ impl Case {
         }
         let mut stimulus = Stimulus { budget: 0, steps: Vec::new() };
         for record in reader.records() {
-            let record = record.map_err(|error| wrong(stimulus.steps.len() as u64 + 2, error.to_string()))?;
+            let place = |error: &csv::Error| error.position().map_or(0, csv::Position::line);
+            let record = record.map_err(|error| wrong(place(&error), error.to_string()))?;
             let line = record.position().map_or(0, csv::Position::line);
-            let number = |column: usize| {
-                let found = record.get(column).unwrap_or_default();
-                found.parse::<i64>().map_err(|_| wrong(line, format!("`{found}` is no number of {}", COLUMNS[column])))
-            };
-            let now_ms = number(0)?;
+            let found = record.get(0).unwrap_or_default();
+            let now_ms: i64 = found.parse().map_err(|_| wrong(line, format!("`{found}` is no time in ms")))?;
             let prescan = match record.get(1) {
                 Some("scan") => false,
                 Some("prescan") => true,
@@ -100,8 +98,13 @@ impl Case {
                     return Err(wrong(line, format!("`{}` is neither scan nor prescan", other.unwrap_or_default())));
                 }
             };
-            stimulus.budget =
-                u64::try_from(number(2)?).map_err(|_| wrong(line, "a budget is not below 0".to_owned()))?;
+            let budget = record.get(2).unwrap_or_default();
+            let budget: u64 =
+                budget.parse().map_err(|_| wrong(line, format!("`{budget}` is no number of instructions")))?;
+            if !stimulus.steps.is_empty() && budget != stimulus.budget {
+                return Err(wrong(line, "every step of a case has one budget".to_owned()));
+            }
+            stimulus.budget = budget;
             let system = record.get(3).unwrap_or_default();
             let system_values = match system {
                 "" => None,

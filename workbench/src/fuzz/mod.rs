@@ -20,7 +20,7 @@ pub use contest::{Contest, Ended, Evaluators};
 pub use coverage::Coverage;
 pub use executions::Executions;
 pub use pair::{Pair, Pairs};
-pub use replay::{Counts, Outcome, replay};
+pub use replay::{Counts, Outcome, is_replaying, replay};
 pub use shrink::shrink;
 pub use subject::Subject;
 pub use system_values::{SystemSample, system_samples};

@@ -4,7 +4,6 @@ use std::marker::PhantomData;
 
 use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
 use twinrung_bytecode::observer::Silent;
-use twinrung_catalog::Element;
 use twinrung_controller::compare;
 
 use crate::cells;
@@ -34,8 +33,8 @@ impl<A: Channel, B: Channel> Contest for Pairs<A, B> {
     fn load(subject: &Subject, budget: u64) -> Pair<'_, A, B> {
         Pair {
             subject,
-            first: A::load(&subject.image).unwrap_or_else(|error| panic!("primary: {error}")),
-            second: B::load(&subject.image).unwrap_or_else(|error| panic!("partner: {error}")),
+            first: A::load(&subject.image).unwrap_or_else(|error| panic!("the first channel: {error}")),
+            second: B::load(&subject.image).unwrap_or_else(|error| panic!("the second channel: {error}")),
             executions: Executions::new(subject),
             system_values: vec![0; subject.image.image().system_values_length()],
             budget,
@@ -59,13 +58,8 @@ impl<A: Channel, B: Channel> Pair<'_, A, B> {
 impl<A: Channel, B: Channel> Evaluators for Pair<'_, A, B> {
     fn set(&mut self, values: &[(Signal, Value)]) {
         for (signal, value) in values {
-            let held = match (*signal, *value) {
-                (Signal::Word(_, Element::Real), Value::Real(value)) => value.to_bits() as i32,
-                (_, Value::Integer(value)) => value,
-                (_, value) => i32::from(value.is_true()),
-            };
-            cells::write(&mut self.first, *signal, held);
-            cells::write(&mut self.second, *signal, held);
+            cells::write(&mut self.first, *signal, cells::held(*value));
+            cells::write(&mut self.second, *signal, cells::held(*value));
         }
     }
 

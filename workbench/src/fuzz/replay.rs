@@ -1,5 +1,6 @@
 //! Runs a program against its stimulus on all evaluators of a contest.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -54,10 +55,21 @@ impl Counts {
     }
 }
 
+thread_local! {
+    static REPLAYING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Whether this thread replays: a panic is then caught, and said as what came of the run.
+pub fn is_replaying() -> bool {
+    REPLAYING.get()
+}
+
 /// Runs all steps, or until the evaluators disagree.
 pub fn replay<C: Contest>(text: &str, stimulus: &Stimulus) -> Outcome {
     let mut steps = 0;
+    let within = REPLAYING.replace(true);
     let run = catch_unwind(AssertUnwindSafe(|| run::<C>(text, stimulus, &mut steps)));
+    REPLAYING.set(within);
     match run {
         Ok(outcome) => outcome,
         Err(panic) => {

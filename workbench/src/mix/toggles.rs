@@ -69,9 +69,9 @@ impl Toggles {
         }
     }
 
-    /// The stimulus as CSV: 16 toggles before each of so many scans.
-    pub fn csv(scans: u64) -> String {
-        let mut toggles = Toggles { state: SEED, values: vec![false; INPUTS], cells: Vec::new(), each_scan: 16 };
+    /// The stimulus as CSV: so many toggles before each of so many scans.
+    pub fn csv(scans: u64, each_scan: usize) -> String {
+        let mut toggles = Toggles { state: SEED, values: vec![false; INPUTS], cells: Vec::new(), each_scan };
         let names: Vec<String> = (0..INPUTS).map(|index| format!("x{index}")).collect();
         let mut out = format!("time_ms,{}\n", names.join(","));
         for scan in 0..scans {
