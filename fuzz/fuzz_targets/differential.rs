@@ -7,7 +7,7 @@ use twinrung_trio::Trios;
 use twinrung_workbench::fuzz::{Case, Outcome, replay};
 use twinrung_workbench::generate::{Random, Size, program_of, stimulus_of};
 
-/// Scans of a program: long enough for a timer and a subroutine, short enough for thousands of programs.
+/// Scans of a program: long enough for a timer and a subroutine.
 const SCANS: usize = 24;
 
 fuzz_target!(|data: &[u8]| {

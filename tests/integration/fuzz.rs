@@ -90,4 +90,7 @@ fn command_when_given_a_case_then_it_runs_it_or_says_what_is_wrong_with_it() {
     let broken = twinrung(&["fuzz", "--replay", shown]);
     assert_eq!(broken.code, Some(2));
     assert!(broken.err.contains("line 2: `jump` is neither scan nor prescan"), "{}", broken.err);
+    fs::write(path.with_extension("csv"), "ms,step,budget,system_values\n0,scan,100,\n10,scan,200,\n").unwrap();
+    let blurred = twinrung(&["fuzz", "--replay", shown]);
+    assert!(blurred.err.contains("line 3: every step of a case has one budget"), "{}", blurred.err);
 }

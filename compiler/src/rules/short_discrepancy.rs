@@ -3,6 +3,7 @@
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::Operand;
 use crate::project::Project;
+use crate::rules::period::milliseconds;
 use crate::rules::usage;
 
 rule! {
@@ -24,9 +25,9 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
             let message = format!(
                 "Discrepancy Time of {} is {value} ms, and the safety task runs each {} ms",
                 one.mnemonic,
-                period_us as f64 / 1000.0
+                milliseconds(period_us)
             );
-            findings.push(Finding::new(&CODE, one.span, message).help("make it two periods at least"));
+            findings.push(Finding::new(&CODE, one.span, message).help(format!("make it two periods at least: {} ms", milliseconds(2 * period_us))));
         }
     });
 }

@@ -6,6 +6,7 @@ use twinrung_grammar::tree::Spanned;
 use crate::diagnostic::{Finding, Findings};
 use crate::operand::Operand;
 use crate::project::{Call, Project, TagId, TagKind};
+use crate::rules::period::milliseconds;
 use crate::rules::usage;
 
 rule! {
@@ -99,8 +100,4 @@ fn interval(project: &Project, tag: TagId) -> Option<Spanned<u64>> {
         TagKind::Consumed => tag.connection.as_ref().and_then(|info| info.rpi_us),
         _ => None,
     }
-}
-
-fn milliseconds(value_us: u64) -> f64 {
-    value_us as f64 / 1000.0
 }

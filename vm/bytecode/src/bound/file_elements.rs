@@ -3,9 +3,9 @@
 use twinrung_catalog::types::base::CONTROL;
 use twinrung_catalog::{Opcode, OperandKind};
 
+use super::walk::decoded;
 use crate::admitted::AdmittedImage;
 use crate::code::Operands;
-use crate::image::Image;
 use crate::index::WordCell;
 use crate::limits;
 use crate::operand::{Access, AccessType, Base, OperandRecord};
@@ -16,7 +16,7 @@ pub(super) fn most(image: &AdmittedImage, opcode: Opcode, operands: Operands<'_>
         return 0;
     }
     let of_mode = match position(opcode, |kind| matches!(kind, OperandKind::FileMode))
-        .and_then(|at| decoded(image.image(), operands, at))
+        .and_then(|at| decoded(image.image(), operands.get(at)?))
     {
         Some(OperandRecord::Choice(-1)) => 1,
         Some(OperandRecord::Choice(count)) if count > 0 => u64::from(count.unsigned_abs()),
@@ -29,14 +29,10 @@ fn position(opcode: Opcode, is: impl Fn(OperandKind) -> bool) -> Option<usize> {
     opcode.instruction().operands.iter().position(|operand| is(operand.kind))
 }
 
-fn decoded(image: &Image, operands: Operands<'_>, at: usize) -> Option<OperandRecord> {
-    OperandRecord::decode(image.operands.entry(operands.get(at)?)?).ok()
-}
-
 /// LEN, where it lies in the image's own cells, nothing but file instructions writes its CONTROL, and the instruction does
 /// not store into that CONTROL itself.
 fn constant_length(image: &AdmittedImage, opcode: Opcode, operands: Operands<'_>) -> Option<u64> {
-    let OperandRecord::Reference(control) = decoded(image.image(), operands, 0)? else { return None };
+    let OperandRecord::Reference(control) = decoded(image.image(), operands.get(0)?)? else { return None };
     let AccessType::Structure(index) = control.access.access_type else { return None };
     if control.access.base != Base::Absolute || !control.access.terms.is_empty() {
         return None;
@@ -51,7 +47,7 @@ fn constant_length(image: &AdmittedImage, opcode: Opcode, operands: Operands<'_>
         return None;
     }
     if let Some(at) = position(opcode, |kind| matches!(kind, OperandKind::Number(access) if access.writes())) {
-        let OperandRecord::Reference(destination) = decoded(image.image(), operands, at)? else { return None };
+        let OperandRecord::Reference(destination) = decoded(image.image(), operands.get(at)?)? else { return None };
         let (begin, end) = reach(&destination.access)?;
         if [length, place].iter().any(|cell| (begin..=end).contains(cell)) {
             return None;

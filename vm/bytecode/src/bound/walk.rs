@@ -180,7 +180,8 @@ fn repeats(
     })
 }
 
-fn decoded(image: &Image, operand: OperandIndex) -> Option<OperandRecord> {
+/// What an operand says.
+pub(super) fn decoded(image: &Image, operand: OperandIndex) -> Option<OperandRecord> {
     OperandRecord::decode(image.operands.entry(operand)?).ok()
 }
 
