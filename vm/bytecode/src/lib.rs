@@ -6,7 +6,8 @@
 //! - [`container`] is the file, [`signature`] what is signed and how, [`text`] the canonical text of every record;
 //! - [`verify`] trusts nobody: it alone makes an [`AdmittedImage`], and [`error`] has one variant for each of its rules;
 //! - [`mod@bound`] says how much one scan can execute at most, from the code alone;
-//! - [`channel`] and [`observer`] are what the two interpreters have in common: an interface, and nothing that computes.
+//! - [`channel`] and [`observer`] are what the two interpreters have in common: an interface, and nothing that computes;
+//! - [`injection`] is what fault injection asks of them, behind a feature of theirs.
 //!
 //! This crate reads the catalog and nothing else of this project. It executes nothing.
 
@@ -34,6 +35,7 @@ pub mod error;
 pub mod format;
 pub mod image;
 pub mod index;
+pub mod injection;
 pub mod layout;
 pub mod limits;
 pub mod names;
