@@ -45,6 +45,8 @@ enum Verb {
     Bench(verb::bench::Bench),
     /// Run random programs on both interpreters until they differ
     Fuzz(verb::fuzz::Fuzz),
+    /// Add up the reaction time, and the probability of failure, from each safety input to each safety output
+    Reaction(verb::reaction::Reaction),
     /// Show an image: signatures, sections, layout, neutral text
     Show(verb::show::Show),
     /// Say what differs between two projects or images
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
         Verb::Run(arguments) => verb::run::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
+        Verb::Reaction(arguments) => verb::reaction::run(&arguments),
         Verb::Show(arguments) => verb::show::run(&arguments),
         Verb::Diff(arguments) => verb::diff::run(&arguments),
         Verb::Fmt(arguments) => verb::fmt::run(&arguments),

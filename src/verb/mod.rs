@@ -8,5 +8,6 @@ pub mod diff;
 pub mod explain;
 pub mod fmt;
 pub mod fuzz;
+pub mod reaction;
 pub mod run;
 pub mod show;

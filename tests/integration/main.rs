@@ -19,6 +19,7 @@ mod options;
 mod pages;
 mod plant_program;
 mod random_instructions;
+mod reaction;
 mod refused;
 mod samples;
 mod support;

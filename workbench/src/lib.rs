@@ -19,10 +19,12 @@ pub mod ladder;
 pub mod mix;
 pub mod names;
 pub mod pages;
+pub mod reaction;
 pub mod recording;
 pub mod run;
 pub mod signal;
 pub mod stimulus;
+mod usage;
 
 pub use recording::{Recording, Row};
 pub use run::{Outcome, Run, RunError};

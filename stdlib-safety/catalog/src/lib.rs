@@ -12,12 +12,14 @@
 pub mod code;
 pub mod controller;
 pub mod execution;
+pub mod failure;
 pub mod instruction;
 pub mod instructions;
 pub mod modules;
 pub mod operand;
 pub mod points;
 pub mod predefined;
+pub mod reaction;
 pub mod types;
 
 pub use code::{Code, CodeWord};

@@ -6,8 +6,8 @@ use twinrung_compiler::project::{TagClass, TagKind};
 use twinrung_compiler::rules;
 use twinrung_grammar::tree::{Class, FileForm};
 
-use super::usage::Index;
 use super::{Answer, Checklist, Evidence, Line, person};
+use crate::usage::Index;
 
 /// Fills in the list.
 pub fn list(evidence: &Evidence<'_>, index: &Index) -> Checklist {

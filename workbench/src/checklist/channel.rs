@@ -6,8 +6,8 @@ use twinrung_compiler::project::{Project, TagClass, TagId, TagKind};
 use twinrung_compiler::rules::status_not_watched::watches_connection;
 use twinrung_grammar::tree::{AttributeValue, Module, PointKind};
 
-use super::usage::{Cell, Index, Uses};
 use super::{Answer, Checklist, Evidence, Line, person};
+use crate::usage::{Cell, Index, Uses};
 
 /// One point of a module's tag.
 struct Channel<'a> {

@@ -7,13 +7,14 @@
 mod application;
 mod channel;
 mod system;
-mod usage;
 
 use serde::Serialize;
 use twinrung_bytecode::signature::short_form;
 use twinrung_compiler::diagnostic::{Code, Finding};
 use twinrung_compiler::{CheckedProject, Severity};
 use twinrung_grammar::tree::{File, Sources};
+
+use crate::usage;
 
 /// Who answers a line, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

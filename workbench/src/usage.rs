@@ -11,10 +11,10 @@ use twinrung_compiler::rules::usage::accesses;
 const RUNGS_LISTED: usize = 12;
 
 /// A rung: its routine and its number.
-type Rung = (u32, u32);
+pub type Rung = (u32, u32);
 
 /// A BOOL or a number within a tag: its bit cell, or its word cell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Cell {
     /// A BOOL.
     Bit(u32),
@@ -51,6 +51,11 @@ impl Uses {
     }
 
     /// The rungs that write it.
+    pub fn writers(&self) -> &BTreeSet<Rung> {
+        &self.written
+    }
+
+    /// The rungs that write it, in words.
     pub fn written_places(&self, project: &Project) -> String {
         places(project, &self.written)
     }
@@ -113,7 +118,7 @@ impl Index {
 }
 
 /// The one value that a reference reaches.
-fn cell(reference: &Reference) -> Option<Cell> {
+pub fn cell(reference: &Reference) -> Option<Cell> {
     let location = &reference.location;
     if !location.terms.is_empty() {
         return None;
