@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Subject, is_replaying, ran, replay, size_of};
+use twinrung_workbench::fuzz::{Campaign, Case, Outcome, Ran, Report, Subject, is_replaying, ran, replay, size_of};
 use twinrung_workbench::generate::Size;
 
 use crate::{exit, failed, files, input, terminal};
@@ -55,11 +55,17 @@ pub struct Fuzz {
     /// Folder for what differs
     #[arg(long, value_name = "FOLDER", default_value = "cases")]
     cases: PathBuf,
+    /// Leave what differs as large as it was found
+    #[arg(long)]
+    as_found: bool,
+    /// Write the totals as JSON
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     /// Show how often each instruction was executed
     #[arg(long)]
     coverage: bool,
     /// Run a case again: its .rll, with the .csv beside it
-    #[arg(long, value_name = "CASE", conflicts_with_all = ["time", "seed", "programs", "scans", "rungs", "jobs", "differences", "cases", "coverage"])]
+    #[arg(long, value_name = "CASE", conflicts_with_all = ["time", "seed", "programs", "scans", "rungs", "jobs", "differences", "cases", "as_found", "report", "coverage"])]
     replay: Option<PathBuf>,
 }
 
@@ -138,7 +144,9 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
                     let seed = next.fetch_add(1, Ordering::Relaxed);
                     let size = arguments.rungs.map_or_else(|| size_of(seed), |rungs| Size::of_rungs(rungs as usize));
                     let scans = arguments.scans as usize;
-                    if seed >= end || sender.send((seed, ran::<Contest>(seed, size, scans))).is_err() {
+                    if seed >= end
+                        || sender.send((seed, ran::<Contest>(seed, size, scans, arguments.as_found))).is_err()
+                    {
                         break;
                     }
                 }
@@ -146,7 +154,7 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
         }
         drop(sender);
         for (seed, ran) in receiver {
-            campaign.add(seed, ran);
+            campaign.add(seed, ran, begun.elapsed());
             show(&bar, &campaign, begun.elapsed());
             let is_new = campaign.failures.last().is_some_and(|failure| failure.seed == seed);
             if let (true, Err(error)) = (is_new, written(&arguments.cases, &campaign)) {
@@ -156,7 +164,12 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
         }
     });
     bar.finish_and_clear();
-    let code = summary(arguments, &campaign, begun.elapsed())?;
+    let took = begun.elapsed();
+    if let Some(path) = &arguments.report {
+        let report = serde_json::to_vec_pretty(&Report::new(&campaign, arguments.seed, took))?;
+        files::write_whole(path, &report).map_err(failed)?;
+    }
+    let code = summary(arguments, &campaign, took)?;
     // What was found stands in the output even where its files could not be written.
     if let Some(error) = unwritten {
         terminal::tell(format_args!("twinrung: {error}"));

@@ -22,7 +22,7 @@ type Coarse = Pairs<Primary, WrongPartner<CoarseClock>>;
 
 /// The first program on which a coarse clock shows.
 fn found() -> Box<Failure> {
-    let failed = |seed| match ran::<Coarse>(seed, Size::SMALL, 60) {
+    let failed = |seed| match ran::<Coarse>(seed, Size::SMALL, 60, false) {
         Ran::Failed(failure) => Some(failure),
         Ran::Agreed(_) | Ran::Refused(_) => None,
     };
@@ -64,10 +64,16 @@ fn case_when_of_any_program_then_its_inputs_read_back_as_they_were_written() {
 /// REQ-FUZZ-003
 #[test]
 fn command_when_the_channels_agree_then_it_says_what_was_run_and_what_was_reached() {
-    let said = twinrung(&["fuzz", "--programs", "24", "--scans", "40", "--jobs", "2", "--time", "10m"]);
+    let folder = tempfile::tempdir().unwrap();
+    let report = folder.path().join("report.json");
+    let shown = report.to_str().unwrap();
+    let said =
+        twinrung(&["fuzz", "--programs", "24", "--scans", "40", "--jobs", "2", "--time", "10m", "--report", shown]);
     assert_eq!(said.code, Some(0), "{}{}", said.out, said.err);
     assert!(said.out.starts_with("24 programs, "), "{}", said.out);
     assert!(said.out.contains(" 0 failures; on purpose ") && said.out.contains("\nreached: "), "{}", said.out);
+    let report: serde_json::Value = serde_json::from_slice(&fs::read(report).unwrap()).unwrap();
+    assert_eq!((&report["programs"], &report["differences"]), (&24.into(), &serde_json::json!([])));
 }
 
 /// REQ-FUZZ-003

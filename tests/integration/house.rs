@@ -31,6 +31,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         ],
         &[],
     ),
+    ("twinrung-defects", &[], &[]),
     ("twinrung-hostile", &["twinrung-bytecode", "twinrung-compiler", "twinrung-controller", "twinrung-grammar"], &[]),
     (
         "twinrung-judge",

@@ -8,6 +8,7 @@ mod certified_set;
 mod checklists;
 mod command;
 mod corpus;
+mod defects;
 mod freestanding;
 mod fuzz;
 mod hostile;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::time::Duration;
 
 use crate::generate::{self, Size};
 
@@ -29,6 +30,17 @@ pub struct Failure {
     pub case: Case,
     /// What they differ in there.
     pub smallest: String,
+    /// When it was found.
+    pub found: Found,
+}
+
+/// How far a campaign had come when something was found.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Found {
+    /// Time since it began.
+    pub after: Duration,
+    /// Programs that were done.
+    pub programs: u64,
 }
 
 /// A run over many seeds.
@@ -51,16 +63,17 @@ pub fn size_of(seed: u64) -> Size {
     if seed.is_multiple_of(4) { Size::LARGE } else { Size::SMALL }
 }
 
-/// Runs the program of one seed for so many scans; a failure is shrunk.
-pub fn ran<C: Contest>(seed: u64, size: Size, scans: usize) -> Ran {
+/// Runs the program of one seed for so many scans; a failure is made small, or left as it was found.
+pub fn ran<C: Contest>(seed: u64, size: Size, scans: usize, as_found: bool) -> Ran {
     let generated = generate::program(seed, size);
     let stimulus = generate::stimulus(seed, &generated, scans);
     match replay::<C>(&generated.text, &stimulus) {
         Outcome::Agreed(counts) => Ran::Agreed(counts),
         Outcome::Refused(findings) => Ran::Refused(findings.into_iter().next().unwrap_or_default()),
         Outcome::Failed { report, .. } => {
-            let (case, smallest) = shrink::<C>(Case { text: generated.text, stimulus });
-            Ran::Failed(Box::new(Failure { seed, report, case, smallest }))
+            let whole = Case { text: generated.text, stimulus };
+            let (case, smallest) = if as_found { (whole, report.clone()) } else { shrink::<C>(whole) };
+            Ran::Failed(Box::new(Failure { seed, report, case, smallest, found: Found::default() }))
         }
     }
 }
@@ -68,11 +81,11 @@ pub fn ran<C: Contest>(seed: u64, size: Size, scans: usize) -> Ran {
 impl Campaign {
     /// Runs the program of one seed for so many scans; a failure is shrunk and kept.
     pub fn run<C: Contest>(&mut self, seed: u64, size: Size, scans: usize) {
-        self.add(seed, ran::<C>(seed, size, scans));
+        self.add(seed, ran::<C>(seed, size, scans, false), Duration::ZERO);
     }
 
-    /// Adds what came of a seed.
-    pub fn add(&mut self, seed: u64, ran: Ran) {
+    /// Adds what came of a seed, so long after the campaign began.
+    pub fn add(&mut self, seed: u64, ran: Ran, after: Duration) {
         self.programs += 1;
         match ran {
             Ran::Agreed(counts) => self.total.add(&counts),
@@ -80,7 +93,10 @@ impl Campaign {
                 self.refused += 1;
                 self.reasons.entry(finding).or_insert((0, seed)).0 += 1;
             }
-            Ran::Failed(failure) => self.failures.push(*failure),
+            Ran::Failed(failure) => {
+                let found = Found { after, programs: self.programs };
+                self.failures.push(Failure { found, ..*failure });
+            }
         }
     }
 
@@ -92,7 +108,7 @@ impl Campaign {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Failure { seed, report, case, smallest } = self;
+        let Failure { seed, report, case, smallest, .. } = self;
         writeln!(f, "seed {seed}: {}", report.trim_end())?;
         writeln!(f, "\nthe smallest program that still shows it:\n\n{}", case.text)?;
         writeln!(f, "its inputs:\n\n{}", case.to_csv())?;
