@@ -128,4 +128,9 @@ pub trait Channel: Sized {
 
     /// The MajorFaultRecord of a program, in plain form; `None` when there is no such program.
     fn fault_record(&self, program: ProgramIndex) -> Option<FaultRecord>;
+
+    /// The signature of the path that control took through the last execution (docs/spec/scan.md, REQ-SCAN-010).
+    fn path_signature(&self) -> u32 {
+        0
+    }
 }
