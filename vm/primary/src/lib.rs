@@ -114,4 +114,8 @@ impl Channel for Primary {
     fn fault_record(&self, program: ProgramIndex) -> Option<FaultRecord> {
         self.machine.records.get(program.position()).copied()
     }
+
+    fn path_signature(&self) -> u32 {
+        self.machine.path
+    }
 }

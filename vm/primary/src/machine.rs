@@ -131,6 +131,8 @@ pub(crate) struct Machine {
     pub(crate) handled: bool,
     /// `status.executed` when the scan began.
     pub(crate) executed_before: u64,
+    /// Signature of the path that control has taken in this execution (REQ-SCAN-010).
+    pub(crate) path: u32,
     /// Whether a word was set from outside to a negative value since timers were last checked.
     pub(crate) doubtful: bool,
 }
@@ -178,6 +180,7 @@ impl Machine {
             handling: None,
             handled: false,
             executed_before: 0,
+            path: 0,
             doubtful: true,
         };
         machine.reset(program);
@@ -215,6 +218,7 @@ impl Machine {
         self.jumps.fill(0);
         self.handling = None;
         self.handled = false;
+        self.path = 0;
         self.doubtful = true;
     }
 

@@ -318,8 +318,8 @@ pub(crate) enum Step {
     Block { runs: Range, instructions: u32 },
     /// An instruction that may fault or change the flow.
     Single(Single),
-    /// The end of the body.
-    End,
+    /// The end of the body, which has so many rungs.
+    End { rungs: u32 },
 }
 
 /// An instruction that stands alone among the steps.

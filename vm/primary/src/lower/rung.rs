@@ -105,8 +105,8 @@ pub(super) fn lower_body(program: &mut Program, index: usize, around: Around<'_>
     }
     lowering.flush();
     let lasting = first_lasting.saturating_add(lowering.most_lasting);
-    let program = lowering.program;
-    program.steps.push(Step::End);
+    let (program, rungs) = (lowering.program, lowering.rung);
+    program.steps.push(Step::End { rungs });
     let steps = Range::since(first, &program.steps);
     if let Some(body) = program.bodies.get_mut(index) {
         body.steps = steps;

@@ -3,6 +3,7 @@
 use twinrung_bytecode::channel::{MajorFault, ScanEnd};
 use twinrung_bytecode::observer::Observer;
 
+use super::path::Event;
 use super::{FaultCode, Run};
 use crate::machine::{BRANCHES, Role};
 use crate::program::NONE;
@@ -30,6 +31,7 @@ impl<O: Observer> Run<'_, O> {
 
     /// Records a fault of the frame on top and runs the fault routine, or ends the scan.
     pub(super) fn fault(&mut self, code: FaultCode, rung: u32, element: u32) -> Result<(), ScanEnd> {
+        self.machine.went(Event::Faults { code: code.0 });
         let place = match self.machine.frames.last().copied() {
             Some(frame) => twinrung_bytecode::channel::Place { rung, ..self.place(&frame, element) },
             None => twinrung_bytecode::channel::Place {

@@ -5,6 +5,7 @@ use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
+use super::path::Event;
 use super::{FaultCode, LOOPS, NO_LABEL, Run};
 use crate::machine::{BRANCHES, Frame, Role};
 use crate::program::{Code, NONE, Single, Step};
@@ -42,14 +43,19 @@ impl<O: Observer> Run<'_, O> {
                         }
                         Ok(Next::Switched) => return Ok(()),
                         Ok(Next::Exhausted) => return Err(ScanEnd::BudgetExceeded),
-                        Ok(Next::Ends { with }) => return self.finish(with),
+                        Ok(Next::Ends { with }) => {
+                            self.machine.went(Event::Leaves { rung: frame.rung });
+                            return self.finish(with);
+                        }
                         Err(code) => return self.fault_at(code, single.code),
                     }
                 }
-                Some(Step::End) | None => {
+                Some(Step::End { rungs }) => {
                     self.save(frame);
+                    self.machine.went(Event::RunsOut { rungs });
                     return self.finish(None);
                 }
+                None => return self.finish(None),
             }
         }
     }
@@ -108,6 +114,7 @@ impl<O: Observer> Run<'_, O> {
                         Ok(Next::Exhausted) => return Err(ScanEnd::BudgetExceeded),
                         Ok(Next::Ends { with }) => {
                             self.report(&frame, position, input, input);
+                            self.machine.went(Event::Leaves { rung: frame.rung });
                             return self.finish(with);
                         }
                         Err(code) => return self.fault_at(code, position),
@@ -115,6 +122,7 @@ impl<O: Observer> Run<'_, O> {
                 }
                 None => {
                     self.save(frame);
+                    self.machine.went(Event::RunsOut { rungs: frame.rung });
                     return self.finish(None);
                 }
             }
@@ -197,6 +205,7 @@ impl<O: Observer> Run<'_, O> {
         if !frame.stepping {
             self.report(frame, frame.position.saturating_sub(1), true, true);
         }
+        self.machine.went(Event::Jumps { rung: label.rung });
         if let Some(top) = self.machine.frames.last_mut() {
             top.position = if top.stepping { label.step } else { label.code };
             top.rung = label.rung;

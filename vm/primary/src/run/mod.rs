@@ -15,6 +15,7 @@ mod flow;
 mod formula;
 mod math;
 mod move_;
+mod path;
 mod prescan;
 mod safety;
 mod system;
@@ -27,6 +28,7 @@ use twinrung_bytecode::observer::Observer;
 
 pub(crate) use compare::relation;
 pub(crate) use math::binary;
+use path::Event;
 pub(crate) use transfer::jsr_operands;
 
 use crate::machine::{FRAMES, Frame, Machine, Role};
@@ -117,6 +119,7 @@ impl<O: Observer> Run<'_, O> {
         machine.handling = None;
         machine.handled = false;
         machine.executed_before = machine.status.executed;
+        machine.path = 0;
         if machine.doubtful {
             machine.doubtful = self.program.watched_timers.iter().any(|timer| {
                 let (preset, accumulated) = (machine.word(*timer), machine.word(timer.saturating_add(1)));
@@ -166,11 +169,12 @@ impl<O: Observer> Run<'_, O> {
         if machine.frames.len() >= FRAMES {
             return Err(STACK);
         }
-        let stepped = self.program.bodies.get(body as usize).is_some_and(|body| body.stepped);
+        let entry = self.program.bodies.get(body as usize);
+        let stepped = entry.is_some_and(|body| body.stepped);
         // A fault routine and what it calls go by codes: they may reach a body whose rung is halted by the fault, and
         // the lasting cells of that rung must stay.
         let stepping = stepped && !prescan && !O::ACTIVE && !machine.doubtful && machine.handling.is_none();
-        let entry = self.program.bodies.get(body as usize);
+        machine.went(Event::Begins { routine: entry.map_or(NONE, |body| body.routine) });
         let jumps = entry.map_or(Range::default(), |body| body.jumps);
         if jumps.count != 0 {
             machine.clear_jumps(jumps);

@@ -7,5 +7,6 @@ mod files;
 mod flow;
 mod jumps;
 mod numbers;
+mod path;
 mod random;
 mod rig;

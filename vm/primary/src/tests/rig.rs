@@ -92,6 +92,7 @@ impl Rig {
         assert_eq!(self.silent.words(), self.observed.words());
         assert_eq!(self.silent.status(), self.observed.status());
         assert_eq!(self.silent.fault_record(ProgramIndex(0)), self.observed.fault_record(ProgramIndex(0)));
+        assert_eq!(self.silent.path_signature(), self.observed.path_signature());
         assert_eq!(self.silent.events(EventTaskIndex(0)), self.observed.events(EventTaskIndex(0)));
     }
 
