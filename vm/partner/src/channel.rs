@@ -104,4 +104,8 @@ impl Channel for Partner {
     fn fault_record(&self, program: ProgramIndex) -> Option<[i32; RECORD_WORDS]> {
         self.state.records.get(program.position()).copied()
     }
+
+    fn path_signature(&self) -> u32 {
+        self.state.path
+    }
 }

@@ -47,7 +47,7 @@ pub(crate) struct Step {
     pub(crate) count: u8,
     /// The element's place on the rung.
     pub(crate) element: u16,
-    /// First argument; the rung's number; the call, jump or region.
+    /// First argument; the rung's number; at the end of a body its number of rungs; the call, jump or region.
     pub(crate) first: u32,
 }
 
@@ -284,6 +284,8 @@ pub(crate) struct PrivateCells {
 pub(crate) struct Jump {
     /// The step to go on at; [`NONE`] where the label is missing.
     pub(crate) target: u32,
+    /// The rung that begins there.
+    pub(crate) rung: u32,
     /// Counter of backward jumps; [`NONE`] for a forward jump.
     pub(crate) counter: u32,
 }

@@ -39,6 +39,7 @@ mod load;
 mod memory;
 mod panel;
 mod real;
+mod stack;
 mod state;
 mod timer;
 mod walk;

@@ -9,6 +9,7 @@ use twinrung_bytecode::limits;
 use crate::ladder::{Argument, Ladder, Location};
 use crate::load::{ADDRESSES, VALUES};
 use crate::memory::{Memory, Size};
+use crate::stack::Stack;
 use crate::walk::address::Address;
 use crate::walk::frame::Frame;
 use crate::walk::value::Value;
@@ -59,6 +60,8 @@ pub(crate) struct State {
     pub(crate) executed: u64,
     /// Of them, before this scan.
     pub(crate) executed_before: u64,
+    /// Signature of the path that control took in this execution (REQ-SCAN-010).
+    pub(crate) path: u32,
     /// Faults that fault routines cleared since the last prescan.
     pub(crate) cleared_faults: u32,
     /// Whether the next scan is the first after a prescan.
@@ -79,9 +82,9 @@ pub(crate) struct State {
     /// Bodies that this prescan of a program has reached.
     pub(crate) visited: Vec<bool>,
     /// Bodies that wait for the one at work.
-    pub(crate) frames: Vec<Frame>,
+    pub(crate) frames: Stack<Frame>,
     /// Places of the arguments of calls that are at work.
-    pub(crate) bound: Vec<Bound>,
+    pub(crate) bound: Stack<Bound>,
     /// Parameters on their way from JSR to SBR and from RET to JSR.
     pub(crate) passed: Vec<Value>,
     /// Bytes on their way in COP.
@@ -108,6 +111,7 @@ impl State {
             status: Flags::default(),
             executed: 0,
             executed_before: 0,
+            path: 0,
             cleared_faults: 0,
             armed: false,
             faulted: false,
@@ -117,8 +121,8 @@ impl State {
             events: vec![0; event_tasks],
             jumps: vec![[0; 2]; ladder.counters as usize],
             visited: vec![false; ladder.bodies.len()],
-            frames: Vec::with_capacity(FRAMES),
-            bound: Vec::with_capacity(arguments(longest)),
+            frames: Stack::new(FRAMES),
+            bound: Stack::new(arguments(longest)),
             passed: vec![Value::default(); parameter_cells(ladder)],
             bytes: vec![0; limits::COPY_BYTES as usize],
             values: vec![Value::default(); VALUES],
@@ -150,6 +154,7 @@ impl State {
     /// What begins anew with each execution.
     pub(crate) fn begin(&mut self) {
         self.executed_before = self.executed;
+        self.path = 0;
         self.faulted = false;
         self.in_fault_routine = false;
         self.in_library = false;

@@ -52,7 +52,7 @@ impl<'a> Loader<'a> {
             self.place_rung(job, number, &rung, labelled, &mut progress);
         }
         self.close_region(&mut progress);
-        self.steps.push(Step { code: Code::End, count: 0, element: 0, first: 0 });
+        self.steps.push(Step { code: Code::End, count: 0, element: 0, first: progress.starts.len() as u32 });
         if let Some(body) = self.bodies.get_mut(job.body.0 as usize) {
             body.begin = begin;
             body.counter = counter;
@@ -203,7 +203,7 @@ impl<'a> Loader<'a> {
                     _ => NONE,
                 };
                 let jump = self.jumps.len() as u32;
-                self.jumps.push(Jump { target: NONE, counter });
+                self.jumps.push(Jump { target: NONE, rung: target.unwrap_or(NONE), counter });
                 progress.pending.push(Pending { jump, rung: target });
                 return Ok(Step { code, count: 0, element, first: jump });
             }

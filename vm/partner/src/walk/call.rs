@@ -6,7 +6,7 @@ use super::fault::Fault;
 use super::frame::{Link, Mode};
 use super::math::element_of;
 use super::{Flow, Walker};
-use crate::ladder::{Argument, Call, Input, Location, Step};
+use crate::ladder::{Argument, BodyIndex, Call, Input, Location, Step};
 use crate::state::{Bound, Flags};
 
 impl<O: Observer> Walker<'_, O> {
@@ -101,9 +101,7 @@ impl<O: Observer> Walker<'_, O> {
             self.finish_call(input);
             return Ok(());
         };
-        self.begin(body, Mode::Normal, Link::Safety(step.first, flags), first)?;
-        self.state.in_library = true;
-        Ok(())
+        self.begin_library(body, Mode::Normal, Link::Safety(step.first, flags), first)
     }
 
     /// Mirrors an operand; the declared types fit, so that no flag is concerned.
@@ -147,9 +145,13 @@ impl<O: Observer> Walker<'_, O> {
         self.write_bit_cell(call.enable_out, false);
         self.forget_private(call);
         let flags = self.state.status;
-        self.begin(call.logic, Mode::Prescan, Link::SafetyPrescan(step.first, flags), first)?;
+        self.begin_library(call.logic, Mode::Prescan, Link::SafetyPrescan(step.first, flags), first)
+    }
+
+    /// Begins a body of the library, which is at work from here on.
+    fn begin_library(&mut self, body: BodyIndex, mode: Mode, link: Link, bound: usize) -> Result<(), Fault> {
         self.state.in_library = true;
-        Ok(())
+        self.begin(body, mode, link, bound).inspect_err(|_| self.state.in_library = false)
     }
 
     /// Private state gets its initial values.

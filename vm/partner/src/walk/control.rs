@@ -7,10 +7,11 @@ use twinrung_catalog::Opcode;
 
 use super::fault::{Fault, LABEL, NESTING, STACK};
 use super::frame::{Link, Mode};
+use super::path::Event;
 use super::value::Value;
 use super::{Flow, Walker};
 use crate::ladder::{Argument, BodyIndex, Location, NONE, Step};
-use crate::state::{Bound, FRAMES};
+use crate::state::Bound;
 
 /// User faults: JSR to the fault routine with one of these raises it (REQ-EXEC-053).
 const USER_FAULTS: core::ops::RangeInclusive<i32> = 990..=999;
@@ -18,11 +19,10 @@ const USER_FAULTS: core::ops::RangeInclusive<i32> = 990..=999;
 impl<O: Observer> Walker<'_, O> {
     /// Begins a body; the one at work waits.
     pub(super) fn begin(&mut self, body: BodyIndex, mode: Mode, link: Link, bound: usize) -> Result<(), Fault> {
-        if self.state.frames.len() >= FRAMES {
+        if !self.state.frames.push(self.frame) {
             self.state.bound.truncate(bound);
             return Err(STACK);
         }
-        self.state.frames.push(self.frame);
         self.enter(body, mode, link, bound as u32);
         Ok(())
     }
@@ -31,15 +31,9 @@ impl<O: Observer> Walker<'_, O> {
     pub(super) fn bind_all(&mut self, arguments: impl Iterator<Item = Argument>) -> Result<usize, Fault> {
         let first = self.state.bound.len();
         for argument in arguments {
-            let bound =
-                if self.state.bound.len() < self.state.bound.capacity() { self.bind(argument) } else { Err(STACK) };
-            match bound {
-                Ok(bound) => self.state.bound.push(bound),
-                Err(fault) => {
-                    self.state.bound.truncate(first);
-                    return Err(fault);
-                }
-            }
+            let bound = if self.state.bound.is_full() { Err(STACK) } else { self.bind(argument) };
+            let kept = bound.and_then(|bound| if self.state.bound.push(bound) { Ok(()) } else { Err(STACK) });
+            kept.inspect_err(|_| self.state.bound.truncate(first))?;
         }
         Ok(first)
     }
@@ -47,7 +41,7 @@ impl<O: Observer> Walker<'_, O> {
     /// A kept place.
     pub(super) fn bound(&self, index: usize) -> Bound {
         let nothing = Bound { argument: Argument::Nothing, location: Location::Bit(u32::MAX) };
-        self.state.bound.get(index).copied().unwrap_or(nothing)
+        self.state.bound.get(index).unwrap_or(nothing)
     }
 
     /// The value of a kept number.
@@ -185,13 +179,13 @@ impl<O: Observer> Walker<'_, O> {
             Opcode::Ret => match self.returns(step) {
                 Ok(()) => {
                     self.report(step, input, input);
-                    return self.leave();
+                    return self.leave_early();
                 }
                 Err(fault) => Err(fault),
             },
             _ => {
                 self.report(step, input, input);
-                return self.leave();
+                return self.leave_early();
             }
         };
         self.after(result)
@@ -211,6 +205,7 @@ impl<O: Observer> Walker<'_, O> {
             }
         }
         self.report(step, true, true);
+        self.follow(Event::Jumps, jump.rung);
         self.frame.next = jump.target;
         Flow::On
     }
@@ -247,6 +242,12 @@ impl<O: Observer> Walker<'_, O> {
         let destinations = (self.frame.bound as usize).saturating_add(call.inputs.len());
         self.pass_all(first, destinations, call.returns.len());
         Ok(())
+    }
+
+    /// RET or TND ends the body at work.
+    fn leave_early(&mut self) -> Flow {
+        self.follow(Event::Returns, self.frame.rung);
+        self.leave()
     }
 
     /// Ends the body at work; what called it goes on.

@@ -5,7 +5,8 @@ use twinrung_bytecode::observer::Observer;
 
 use super::Walker;
 use super::frame::{Link, Mode};
-use crate::state::{FRAMES, RECORD_WORDS};
+use super::path::Event;
+use crate::state::RECORD_WORDS;
 
 /// A major fault's code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +36,7 @@ impl<O: Observer> Walker<'_, O> {
             self.frame.go_on_false();
             return None;
         }
+        self.follow(Event::Faults, u32::from(fault.0));
         let place = self.place();
         self.record(fault, place);
         let handler = self.ladder.programs.get(self.program.position()).and_then(|program| program.fault);
@@ -42,16 +44,15 @@ impl<O: Observer> Walker<'_, O> {
         self.state.faulted = true;
         let end = Some(ScanEnd::MajorFault(MajorFault { code: fault.0, place }));
         let Some(handler) = handler.filter(|_| first) else { return end };
-        if self.state.frames.len() >= FRAMES {
+        self.frame.go_on_false();
+        if !self.state.frames.push(self.frame) {
             return end;
         }
-        self.frame.go_on_false();
         let own = self.ladder.own.override_bit;
         let link = Link::Fault(self.state.memory.bit(own));
         self.state.memory.set_bit(own, false);
         self.state.in_fault_routine = true;
         let bound = self.state.bound.len() as u32;
-        self.state.frames.push(self.frame);
         self.enter(handler, Mode::Normal, link, bound);
         None
     }

@@ -12,6 +12,7 @@ mod fault;
 mod file;
 pub(crate) mod frame;
 mod math;
+mod path;
 mod prescan;
 mod system;
 pub(crate) mod value;
@@ -25,6 +26,7 @@ use crate::ladder::{BodyIndex, Code, Ladder, Location, Step};
 use crate::state::State;
 use fault::Fault;
 use frame::{Frame, Link, Mode, is_control};
+use path::Event;
 use value::low_bits;
 
 /// One execution on its way.
@@ -148,7 +150,10 @@ impl<'a, O: Observer> Walker<'a, O> {
                 self.frame.end_branch();
                 return Flow::On;
             }
-            Code::End => return self.leave(),
+            Code::End => {
+                self.follow(Event::Ends, step.first);
+                return self.leave();
+            }
             Code::Instruction(opcode) => {
                 self.count(1);
                 if self.frame.mode == Mode::Prescan {
@@ -250,7 +255,11 @@ impl<'a, O: Observer> Walker<'a, O> {
     fn enter(&mut self, index: BodyIndex, mode: Mode, link: Link, bound: u32) {
         let body = self.ladder.bodies.get(index.0 as usize);
         self.frame = Frame::new(index, body.map_or(u32::MAX, |body| body.begin), mode, link, bound);
-        let Some(body) = body.filter(|body| body.counters > 0) else { return };
+        let Some(body) = body else { return };
+        self.follow(Event::Begins, body.routine.0);
+        if body.counters == 0 {
+            return;
+        }
         let counters = body.counter as usize..body.counter.saturating_add(body.counters) as usize;
         let within = usize::from(self.state.in_fault_routine);
         for taken in self.state.jumps.get_mut(counters).into_iter().flatten().filter_map(|pair| pair.get_mut(within)) {
