@@ -76,4 +76,8 @@ impl<D: Defect> Channel for WrongPartner<D> {
     fn fault_record(&self, program: ProgramIndex) -> Option<[i32; 11]> {
         self.0.fault_record(program)
     }
+
+    fn path_signature(&self) -> u32 {
+        self.0.path_signature()
+    }
 }

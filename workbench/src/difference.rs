@@ -22,6 +22,7 @@ pub fn words(image: &AdmittedImage, difference: Difference) -> String {
                 "the channels differ in {name}: primary {primary} (16#{primary:08x}), partner {partner} (16#{partner:08x})"
             )
         }
+        Difference::Path => "control took another path through the rungs in each channel".to_owned(),
         Difference::Status => "the channels differ in the arithmetic status or in the count of instructions".to_owned(),
         Difference::End(primary, partner) => {
             format!("the channels differ in how the execution ended: primary {primary:?}, partner {partner:?}")

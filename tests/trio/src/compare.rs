@@ -17,7 +17,8 @@ impl Trio<'_> {
         ends: (ScanEnd, ScanEnd),
         judged: End,
     ) -> Result<Ended, Disagreement> {
-        if self.is_alike(ends, judged) && self.is_observed_alike() {
+        let same_path = self.took_one_path(ends);
+        if same_path && self.is_alike(ends, judged) && self.is_observed_alike() {
             return Ok(ended(ends.0));
         }
         let mut values = Vec::new();
@@ -42,6 +43,11 @@ impl Trio<'_> {
             let index = EventTaskIndex(task as u16);
             let found = [self.primary.events(index), self.partner.events(index), self.judge.events(name)];
             note(format!("events of {name}"), found.map(|count| count.to_string()));
+        }
+        if !same_path {
+            let paths =
+                [self.primary.path_signature(), self.partner.path_signature()].map(|path| format!("16#{path:08x}"));
+            values.push(("path of control".to_owned(), [paths[0].clone(), paths[1].clone(), "not kept".to_owned()]));
         }
         if !self.is_observed_alike() {
             values.push((
@@ -95,6 +101,11 @@ impl Trio<'_> {
             })
     }
 
+    /// REQ-SCAN-010. The judge knows no image, and so none of the numbers that are signed.
+    fn took_one_path(&self, ends: (ScanEnd, ScanEnd)) -> bool {
+        ends.0 == ScanEnd::BudgetExceeded || self.primary.path_signature() == self.partner.path_signature()
+    }
+
     fn compare_tags(&self, values: &mut Vec<(String, [String; 3])>) {
         for (tag, range) in &self.tags {
             let Some((judged_bits, judged_words)) = self.judge.tag(*tag) else { continue };
@@ -141,6 +152,7 @@ impl Trio<'_> {
             observed.bits() == self.primary.bits()
                 && observed.words() == self.primary.words()
                 && observed.status() == self.primary.status()
+                && observed.path_signature() == self.primary.path_signature()
         })
     }
 }

@@ -130,7 +130,5 @@ pub trait Channel: Sized {
     fn fault_record(&self, program: ProgramIndex) -> Option<FaultRecord>;
 
     /// The signature of the path that control took through the last execution (docs/spec/scan.md, REQ-SCAN-010).
-    fn path_signature(&self) -> u32 {
-        0
-    }
+    fn path_signature(&self) -> u32;
 }

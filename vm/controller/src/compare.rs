@@ -15,6 +15,8 @@ pub enum Difference {
     Status,
     /// How the execution ended.
     End(ScanEnd, ScanEnd),
+    /// The path that control took (REQ-SCAN-010).
+    Path,
     /// How often EVENT triggered a task.
     Event(EventTaskIndex),
     /// A program's MajorFaultRecord.
@@ -41,6 +43,7 @@ pub fn compare<A: Channel, B: Channel>(
     cells(primary, partner)
         .or_else(|| (ends.0 != ends.1).then_some(Difference::End(ends.0, ends.1)))
         .or_else(|| (primary.status() != partner.status()).then_some(Difference::Status))
+        .or_else(|| path(primary, partner, ends))
         .or_else(|| events(image, primary, partner))
         .or_else(|| records(image, primary, partner))
 }
@@ -77,6 +80,12 @@ fn first_difference<A: Channel, B: Channel>(
     let plain_words = words.iter().zip(other_words).map(|(a, b)| ((a ^ own) as i32, (b ^ other) as i32));
     let (cell, (a, b)) = plain_words.enumerate().find(|(_, (a, b))| a != b)?;
     Some(Difference::Word(WordCell(cell as u32), a, b))
+}
+
+/// Control took another path, though every value is the same.
+fn path<A: Channel, B: Channel>(primary: &A, partner: &B, ends: (ScanEnd, ScanEnd)) -> Option<Difference> {
+    let differ = primary.path_signature() != partner.path_signature();
+    (differ && ends.0 != ScanEnd::BudgetExceeded).then_some(Difference::Path)
 }
 
 fn events<A: Channel, B: Channel>(image: &Image, primary: &A, partner: &B) -> Option<Difference> {

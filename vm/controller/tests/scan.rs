@@ -22,6 +22,8 @@ const DIFFERS_IN_STATUS: i32 = 3;
 const FAULTS: i32 = 4;
 const EXCEEDS_BUDGET: i32 = 5;
 const DIFFERS_IN_RECORD: i32 = 6;
+const DIFFERS_IN_PATH: i32 = 7;
+const EXCEEDS_BUDGET_ON_ANOTHER_PATH: i32 = 8;
 
 /// Copies its input to its output; from its third scan on it behaves as it was told.
 struct Fake<const SECOND: bool> {
@@ -82,7 +84,7 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
                 let place = Place { program: ProgramIndex(0), routine: RoutineIndex(0), rung: 0, element: 0 };
                 return ScanEnd::MajorFault(MajorFault { code: 20, place });
             }
-            EXCEEDS_BUDGET if acts => return ScanEnd::BudgetExceeded,
+            EXCEEDS_BUDGET | EXCEEDS_BUDGET_ON_ANOTHER_PATH if acts => return ScanEnd::BudgetExceeded,
             _ => {}
         }
         ScanEnd::Completed
@@ -115,6 +117,11 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
 
     fn fault_record(&self, _program: ProgramIndex) -> Option<[i32; 11]> {
         Some(self.record)
+    }
+
+    fn path_signature(&self) -> u32 {
+        let differs = [DIFFERS_IN_PATH, EXCEEDS_BUDGET_ON_ANOTHER_PATH].contains(&self.behaviour);
+        u32::from(differs && self.scans >= 3 && SECOND)
     }
 }
 
@@ -226,6 +233,19 @@ fn scan_when_a_word_differs_then_outputs_are_off_in_that_scan() {
 fn scan_when_a_flag_differs_then_outputs_are_off_in_that_scan() {
     let fault = SafetyFault::Difference(Difference::Status);
     assert_eq!(stopped_in_third_scan(DIFFERS_IN_STATUS), Some(StopReason::Safety(fault)));
+}
+
+/// REQ-SCAN-010
+#[test]
+fn scan_when_control_took_another_path_then_outputs_are_off_in_that_scan() {
+    let fault = SafetyFault::Difference(Difference::Path);
+    assert_eq!(stopped_in_third_scan(DIFFERS_IN_PATH), Some(StopReason::Safety(fault)));
+    let budget = stopped_in_third_scan(EXCEEDS_BUDGET_ON_ANOTHER_PATH);
+    assert_eq!(
+        budget,
+        Some(StopReason::Safety(SafetyFault::BudgetExceeded)),
+        "where the path was cut off is not compared"
+    );
 }
 
 #[test]
