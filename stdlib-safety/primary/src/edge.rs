@@ -8,6 +8,8 @@ pub(crate) struct Edge {
     previous: bool,
 }
 
+crate::bits!(Edge { previous });
+
 impl Default for Edge {
     fn default() -> Self {
         Edge { previous: true }

@@ -25,6 +25,8 @@ mod analog;
 mod codes;
 mod dual_channel;
 mod edge;
+#[doc(hidden)]
+pub mod injection;
 mod members;
 mod metal_form;
 mod muting;

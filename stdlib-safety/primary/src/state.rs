@@ -56,6 +56,30 @@ macro_rules! states {
                 }
             }
         }
+
+        #[cfg(feature = "injection")]
+        impl State {
+            /// How many bits this memory has: always the same for an instruction.
+            pub fn bits(&self) -> u32 {
+                match self {
+                    $(State::$variant(state) => $crate::injection::Bits::count(state),)*
+                }
+            }
+
+            /// One of its bits, counted from 0.
+            pub fn bit(&self, bit: u32) -> bool {
+                match self {
+                    $(State::$variant(state) => $crate::injection::Bits::bit(state, bit),)*
+                }
+            }
+
+            /// Turns a bit round; false, and nothing is changed, where the memory has no such value.
+            pub fn flip(&mut self, bit: u32) -> bool {
+                match self {
+                    $(State::$variant(state) => $crate::injection::Bits::flip(state, bit),)*
+                }
+            }
+        }
     };
 }
 

@@ -7,6 +7,8 @@ pub(crate) struct Timer {
     start_ms: Option<i64>,
 }
 
+crate::bits!(Timer { start_ms });
+
 impl Timer {
     /// Starts anew in this scan.
     pub(crate) fn restart(&mut self, now_ms: i64) {
@@ -57,6 +59,8 @@ pub(crate) struct Limit {
     /// A scan since the condition began has broken it.
     broken: bool,
 }
+
+crate::bits!(Limit { since, broken });
 
 impl Limit {
     /// Whether `condition` has now lasted `limit_ms`, or ends in this scan after it lasted longer unnoticed (scans

@@ -99,6 +99,18 @@ impl Field for f32 {
     }
 }
 
+/// A part of a channel that finds its bits itself: records in a row, or a memory whose type is declared in another crate.
+pub trait Part {
+    /// How many bits.
+    fn bits(&self) -> u64;
+
+    /// The value of a bit, counted from 0 below [`Part::bits`].
+    fn bit(&self, bit: u64) -> bool;
+
+    /// Turns a bit round; false, and nothing is changed, where the part has no such value.
+    fn flip(&mut self, bit: u64) -> bool;
+}
+
 /// Walks over the fields of a channel: counts their bits, and reads or turns round the one that was asked for.
 #[derive(Debug)]
 pub struct BitVisitor {
@@ -134,6 +146,17 @@ impl BitVisitor {
             true => Flip::NoSuchValue,
             false => Flip::Done,
         };
+        self.found = Some((value, flip));
+    }
+
+    /// A part that finds its bits itself: one step, however many they are.
+    pub fn part<T: Part>(&mut self, part: &mut T) {
+        let bits = part.bits();
+        let bit = self.wanted.and_then(|wanted| wanted.checked_sub(self.passed)).filter(|bit| *bit < bits);
+        self.passed = self.passed.saturating_add(bits);
+        let Some(bit) = bit else { return };
+        let value = part.bit(bit);
+        let flip = if !self.turn || part.flip(bit) { Flip::Done } else { Flip::NoSuchValue };
         self.found = Some((value, flip));
     }
 }
@@ -196,6 +219,40 @@ mod tests {
     #[test]
     fn bits_when_counted_then_every_field_counts_once() {
         assert_eq!(visited(&mut ([0; 3], 0), None, false).passed, 3 * 32 + 8);
+    }
+
+    /// Two bits, of which the second cannot be turned round.
+    struct Pair([bool; 2]);
+
+    impl Part for Pair {
+        fn bits(&self) -> u64 {
+            2
+        }
+
+        fn bit(&self, bit: u64) -> bool {
+            self.0[bit as usize]
+        }
+
+        fn flip(&mut self, bit: u64) -> bool {
+            self.0[0] ^= bit == 0;
+            bit == 0
+        }
+    }
+
+    fn shown(pair: &mut Pair, wanted: u64) -> BitVisitor {
+        let mut visitor = BitVisitor::new(Some(wanted), true);
+        visitor.field(&mut 0u8);
+        visitor.part(pair);
+        visitor
+    }
+
+    #[test]
+    fn part_when_a_bit_is_flipped_then_it_finds_it_itself() {
+        let mut pair = Pair([false, true]);
+        assert_eq!(shown(&mut pair, 8).found, Some((false, Flip::Done)));
+        assert_eq!(shown(&mut pair, 9).found, Some((true, Flip::NoSuchValue)));
+        assert_eq!(shown(&mut pair, 10).found, None);
+        assert_eq!((pair.0, shown(&mut pair, 10).passed), ([true, true], 10));
     }
 
     #[test]

@@ -25,12 +25,15 @@
 extern crate alloc;
 
 mod error;
+#[cfg(any(test, feature = "injection"))]
+mod injection;
 mod load;
 mod lower;
 mod machine;
 mod number;
 mod program;
 mod run;
+mod stack;
 #[cfg(test)]
 mod tests;
 
@@ -46,8 +49,8 @@ use machine::Machine;
 use program::Program;
 use run::Run;
 
-/// The primary: holds cells as they are.
-#[derive(Debug)]
+/// The primary: holds cells as they are. A clone goes on as the original would.
+#[derive(Debug, Clone)]
 pub struct Primary {
     program: Program,
     machine: Machine,

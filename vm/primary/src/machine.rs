@@ -15,6 +15,7 @@ use crate::load::formula::{ADDRESSES, VALUES};
 use crate::number::Number;
 use crate::program::{Operand, Program, Range};
 use crate::run::jsr_operands;
+use crate::stack::Stack;
 
 /// Routines within routines: a main routine, [`limits::CALL_DEPTH`] subroutines, [`limits::ADD_ON_DEPTH`] Add-On
 /// Instructions, the same again for the fault routine, and some to spare.
@@ -77,14 +78,14 @@ pub(crate) enum Slot {
 }
 
 /// The state of a library half, and of which instruction.
-#[derive(Debug)]
-struct Keeper {
-    opcode: Opcode,
-    state: State,
+#[derive(Debug, Clone)]
+pub(crate) struct Keeper {
+    pub(crate) opcode: Opcode,
+    pub(crate) state: State,
 }
 
 /// Everything that a scan changes.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Machine {
     /// Bit cells: the image's, then constants, then scratch; a power of two.
     pub(crate) bits: Vec<u8>,
@@ -93,22 +94,22 @@ pub(crate) struct Machine {
     /// One hidden word for every two word cells: the `last_time` of a TIMER, a mark for a CONTROL. Both have
     /// two words side by side, so half the cell of the first is theirs alone.
     pub(crate) hidden: Vec<i64>,
-    keepers: Vec<Keeper>,
-    initial_bits: Vec<u8>,
-    initial_words: Vec<i32>,
-    constants: Vec<i32>,
+    pub(crate) keepers: Vec<Keeper>,
+    pub(crate) initial_bits: Vec<u8>,
+    pub(crate) initial_words: Vec<i32>,
+    pub(crate) constants: Vec<i32>,
     pub(crate) status: Status,
     pub(crate) first_scan_armed: bool,
     pub(crate) events: Vec<u32>,
     pub(crate) records: Vec<FaultRecord>,
-    pub(crate) frames: Vec<Frame>,
+    pub(crate) frames: Stack<Frame>,
     /// Rung condition at a branch's begin, and the OR of its ended legs.
-    pub(crate) branches: Vec<(bool, bool)>,
+    pub(crate) branches: Stack<(bool, bool)>,
     /// Bodies that the prescan of this program has visited.
     pub(crate) visited: Vec<bool>,
     /// Backward jumps of each JMP in the execution of its routine that goes on, and then the same again for executions
     /// by the fault routine: it may call a routine that the fault has halted.
-    jumps: Vec<u32>,
+    pub(crate) jumps: Vec<u32>,
     pub(crate) values: [i32; VALUES],
     /// For each value whether something overflowed while it was computed.
     pub(crate) overflowed: [bool; VALUES],
@@ -129,8 +130,8 @@ pub(crate) struct Machine {
     pub(crate) handling: Option<MajorFault>,
     /// Whether no fault routine runs any more: one ran in this scan, or this is a prescan.
     pub(crate) handled: bool,
-    /// `status.executed` when the scan began.
-    pub(crate) executed_before: u64,
+    /// Instructions of the execution that goes on; it counts from 0, whatever `status.executed` holds.
+    pub(crate) spent: u64,
     /// Signature of the path that control has taken in this execution (REQ-SCAN-010).
     pub(crate) path: u32,
     /// Whether a word was set from outside to a negative value since timers were last checked.
@@ -162,8 +163,8 @@ impl Machine {
             first_scan_armed: false,
             events: vec![0; image.event_tasks.len()],
             records: vec![FaultRecord::default(); image.programs.len()],
-            frames: Vec::with_capacity(FRAMES),
-            branches: Vec::with_capacity(BRANCHES),
+            frames: Stack::with_room(FRAMES),
+            branches: Stack::with_room(BRANCHES),
             visited: vec![false; program.bodies.len()],
             jumps: vec![0; program.jumps.len().saturating_mul(2)],
             values: [0; VALUES],
@@ -179,7 +180,7 @@ impl Machine {
             program: 0,
             handling: None,
             handled: false,
-            executed_before: 0,
+            spent: 0,
             path: 0,
             doubtful: true,
         };

@@ -66,6 +66,8 @@ pub(crate) struct AnalogPair {
     input_status_before: bool,
 }
 
+crate::bits!(AnalogPair { on, fault, cold, discrepancy, on_delay, reset, input_status_before });
+
 impl Default for AnalogPair {
     fn default() -> Self {
         AnalogPair {
@@ -214,6 +216,8 @@ macro_rules! analog_instruction {
         pub struct $name {
             pair: $crate::analog::pair::AnalogPair,
         }
+
+        $crate::bits!($name { pair });
 
         impl $name {
             pub(crate) fn prescan(&mut self, members: &mut Members) {

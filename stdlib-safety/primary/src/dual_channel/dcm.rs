@@ -25,6 +25,8 @@ pub struct Dcm {
     monitor: Monitor,
 }
 
+crate::bits!(Dcm { monitor });
+
 impl Dcm {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Dcm::default();

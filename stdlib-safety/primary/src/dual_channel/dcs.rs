@@ -16,6 +16,8 @@ pub struct Dcs {
     stop: Stop,
 }
 
+crate::bits!(Dcs { stop });
+
 impl Dcs {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Dcs::default();

@@ -30,6 +30,8 @@ pub struct Dcsrt {
     granted: bool,
 }
 
+crate::bits!(Dcsrt { monitor, armed, granted });
+
 impl Dcsrt {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Dcsrt::default();

@@ -18,6 +18,8 @@ pub struct Dcst {
     request: Edge,
 }
 
+crate::bits!(Dcst { stop, request });
+
 impl Default for Dcst {
     fn default() -> Self {
         // A request that is already ON at start demands a test (5.4).

@@ -33,6 +33,8 @@ pub struct Dcstl {
     request: Edge,
 }
 
+crate::bits!(Dcstl { stop, request });
+
 impl Default for Dcstl {
     fn default() -> Self {
         // A request that is already ON at start demands a test (5.4).

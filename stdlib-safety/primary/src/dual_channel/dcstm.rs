@@ -37,6 +37,14 @@ enum TestPhase {
     AwaitActive,
 }
 
+crate::bits!(
+    enum TestPhase {
+        None,
+        AwaitSafe,
+        AwaitActive,
+    }
+);
+
 /// Memory of a DCSTM call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dcstm {
@@ -47,6 +55,8 @@ pub struct Dcstm {
     phase: TestPhase,
     phase_timer: Timer,
 }
+
+crate::bits!(Dcstm { stop, request, mute, muted, phase, phase_timer });
 
 impl Default for Dcstm {
     fn default() -> Self {

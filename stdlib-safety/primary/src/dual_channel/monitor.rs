@@ -28,6 +28,8 @@ pub(crate) struct Monitor {
     valid: bool,
 }
 
+crate::bits!(Monitor { pair, reset, fault, cycled, valid });
+
 impl Monitor {
     /// Rung false: a latched fault is kept (decided D13).
     pub(crate) fn rung_false(&mut self, input_status: bool) {

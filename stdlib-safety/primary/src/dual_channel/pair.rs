@@ -35,6 +35,13 @@ enum First {
     B,
 }
 
+crate::bits!(
+    enum First {
+        A,
+        B,
+    }
+);
+
 /// The two channels, each as "in its active state".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Channels {
@@ -63,6 +70,8 @@ pub(crate) struct Pair {
     discrepancy: Timer,
     first: Option<First>,
 }
+
+crate::bits!(Pair { from_active, discrepancy, first });
 
 impl Pair {
     /// `eval(a, b, now, DT)`: the pair's state, and a channel fault or 0.

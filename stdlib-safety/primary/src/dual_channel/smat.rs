@@ -65,6 +65,15 @@ enum Step {
     SourceB,
 }
 
+crate::bits!(
+    enum Step {
+        OffBeforeA,
+        SourceA,
+        OffBeforeB,
+        SourceB,
+    }
+);
+
 impl Step {
     fn next(self) -> Step {
         match self {
@@ -94,6 +103,8 @@ struct Verification {
     ready_before: bool,
 }
 
+crate::bits!(Verification { step, in_step, confirmed, lost, clean, occupied, granted, automatic, ready_before });
+
 /// Memory of an SMAT call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Smat {
@@ -102,6 +113,8 @@ pub struct Smat {
     reset: Edge,
     valid: bool,
 }
+
+crate::bits!(Smat { verification, fault, reset, valid });
 
 /// What a scan reads.
 struct Inputs {

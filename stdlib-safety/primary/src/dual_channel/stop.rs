@@ -58,6 +58,8 @@ pub(crate) struct Stop {
     ready_before: bool,
 }
 
+crate::bits!(Stop { pair, reset, fault, cycled, valid, cold, test, granted, automatic, ready_before });
+
 impl Default for Stop {
     fn default() -> Self {
         Stop {

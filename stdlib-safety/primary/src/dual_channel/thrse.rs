@@ -108,6 +108,8 @@ struct Hands {
     first_press: Timer,
 }
 
+crate::bits!(Hands { armed, granted, late, first_press });
+
 /// Memory of a THRSe call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thrse {
@@ -119,6 +121,8 @@ pub struct Thrse {
     valid: bool,
     reset: Edge,
 }
+
+crate::bits!(Thrse { hands, right, left, disconnection, fault, valid, reset });
 
 impl Thrse {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

@@ -39,6 +39,8 @@ struct Delay {
     pending: Timer,
 }
 
+crate::bits!(Delay { taken_over, pending });
+
 /// How a change is taken over.
 struct DelayInputs {
     /// Delay Type: 1 off delay, 0 on delay. 8, decided.
@@ -70,6 +72,8 @@ pub struct Avc {
     armed: bool,
     o1: bool,
 }
+
+crate::bits!(Avc { latch, check, delay, armed, o1 });
 
 impl Avc {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

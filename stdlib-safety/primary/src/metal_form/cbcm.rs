@@ -70,6 +70,8 @@ struct Configuration {
     mode: i32,
 }
 
+crate::bits!(Configuration { acknowledge_manually, takeover, mode });
+
 /// Memory of a CBCM call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cbcm {
@@ -82,6 +84,8 @@ pub struct Cbcm {
     ups: u8,
     stop_requested: bool,
 }
+
+crate::bits!(Cbcm { common, arm, armed, window, ups, stop_requested });
 
 /// What CBCM reads beyond the common part.
 struct Own {

@@ -25,12 +25,16 @@ struct Configuration {
     inch_ms: i32,
 }
 
+crate::bits!(Configuration { acknowledge_manually, inch_ms });
+
 /// Memory of a CBIM call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cbim {
     common: ClutchBrake<Configuration>,
     inch: Timer,
 }
+
+crate::bits!(Cbim { common, inch });
 
 impl Cbim {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

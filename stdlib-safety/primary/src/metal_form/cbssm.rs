@@ -21,11 +21,15 @@ struct Configuration {
     takeover: bool,
 }
 
+crate::bits!(Configuration { acknowledge_manually, takeover });
+
 /// Memory of a CBSSM call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cbssm {
     common: ClutchBrake<Configuration>,
 }
+
+crate::bits!(Cbssm { common });
 
 impl Cbssm {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

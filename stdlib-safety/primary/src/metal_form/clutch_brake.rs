@@ -109,6 +109,11 @@ pub(crate) struct ClutchBrake<C> {
     pub(crate) reason: i32,
 }
 
+crate::bits!(ClutchBrake<C> where (C) {
+    configuration, configuration_bad, acknowledged, enabled_before, permitted_before, zone_before, acknowledge,
+    start, on, reason
+});
+
 impl<C> Default for ClutchBrake<C> {
     fn default() -> Self {
         ClutchBrake {

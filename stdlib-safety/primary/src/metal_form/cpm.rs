@@ -54,6 +54,8 @@ pub struct Cpm {
     motion_before: bool,
 }
 
+crate::bits!(Cpm { latch, raw, enabled_throughout, early_top, motion_before });
+
 /// What a scan reads.
 struct Inputs {
     profile_b: bool,

@@ -73,6 +73,15 @@ enum Phase {
     Stopping,
 }
 
+crate::bits!(
+    enum Phase {
+        Stopped,
+        Starting,
+        Running,
+        Stopping,
+    }
+);
+
 /// One pulse train.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Train {
@@ -82,6 +91,8 @@ struct Train {
     seen: bool,
     last_pulse: Timer,
 }
+
+crate::bits!(Train { level, seen, last_pulse });
 
 /// What a scan shows of one pulse train.
 #[derive(Clone, Copy)]
@@ -131,6 +142,8 @@ pub struct Csm {
     start_ms: i32,
     stop_ms: i32,
 }
+
+crate::bits!(Csm { latch, phase, request, a, b, still, since, start_ms, stop_ms });
 
 /// What a scan reads.
 struct Inputs {

@@ -55,6 +55,8 @@ pub struct Epms {
     moved: bool,
 }
 
+crate::bits!(Epms { latch, none, active, moved });
+
 impl Epms {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Epms::default();

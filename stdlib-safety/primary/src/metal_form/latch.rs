@@ -29,6 +29,8 @@ pub(crate) struct FaultLatch {
     output_before: bool,
 }
 
+crate::bits!(FaultLatch { fault, reset, reset_rises, input_before, output_before });
+
 impl FaultLatch {
     /// Samples the inputs; gives the fault of a status that went from 1 to 0, or 0 (1.6 rule 3).
     pub(crate) fn begin(&mut self, status: &Status) -> i32 {

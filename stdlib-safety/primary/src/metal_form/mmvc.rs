@@ -44,6 +44,8 @@ pub struct Mmvc {
     o1: bool,
 }
 
+crate::bits!(Mmvc { latch, actuate, permitted_before, o1 });
+
 impl Mmvc {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Mmvc::default();

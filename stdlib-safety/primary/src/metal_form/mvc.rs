@@ -37,6 +37,8 @@ pub struct Mvc {
     on: bool,
 }
 
+crate::bits!(Mvc { latch, check_1, check_2, armed, on });
+
 impl Mvc {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Mvc::default();

@@ -20,6 +20,8 @@ pub(crate) struct Check {
     since: Timer,
 }
 
+crate::bits!(Check { agreed, since });
+
 impl Check {
     /// Starts anew: the output changed, or a fault was cleared.
     pub(crate) fn restart(&mut self, now_ms: i64) {

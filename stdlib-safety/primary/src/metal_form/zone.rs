@@ -15,6 +15,14 @@ pub(crate) enum Zone {
     Up,
 }
 
+crate::bits!(
+    enum Zone {
+        Top,
+        Down,
+        Up,
+    }
+);
+
 impl Zone {
     /// The zone of a `SlideZone`; every value but the three is invalid.
     pub(crate) fn from_number(number: i32) -> Option<Zone> {

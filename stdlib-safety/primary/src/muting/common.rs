@@ -53,6 +53,8 @@ pub(crate) struct Configuration<T> {
     pub(crate) times: T,
 }
 
+crate::bits!(Configuration<T> where (T) { restart_automatic, mute_s, override_s, times });
+
 /// What one scan shows.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Outputs {
@@ -81,6 +83,11 @@ pub(crate) struct Muting<S: Sequence> {
     input_status_before: bool,
     o1_before: bool,
 }
+
+crate::bits!(Muting<S: Sequence> where (S, S::Times) {
+    configuration, sequence, latch, overriding, override_timer, mute_timer, on_delay, fault, reset,
+    override_edge, input_status_before, o1_before
+});
 
 impl<S: Sequence> Default for Muting<S> {
     fn default() -> Self {

@@ -40,6 +40,28 @@ enum Step {
     },
 }
 
+crate::bits!(coded Step);
+
+#[cfg(feature = "injection")]
+impl crate::injection::Coded for Step {
+    /// The variant, the position and the direction.
+    type Code = (crate::injection::Few<2>, u8, bool);
+    const FIRST: Step = Step::Wait;
+
+    fn code(&self) -> Self::Code {
+        let (number, position, forward) = match *self {
+            Step::Wait => (0, 0, false),
+            Step::Idle => (1, 0, false),
+            Step::Running { position, forward } => (2, position, forward),
+        };
+        (crate::injection::Few(number), position, forward)
+    }
+
+    fn of((number, position, forward): Self::Code) -> Option<Step> {
+        [Step::Wait, Step::Idle, Step::Running { position, forward }].get(number.0 as usize).copied()
+    }
+}
+
 /// Step and pair timers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Bidirectional {
@@ -49,6 +71,8 @@ pub(crate) struct Bidirectional {
     lc_s3: Timer,
     s3_s4: Timer,
 }
+
+crate::bits!(Bidirectional { step, s1_s2, s2_lc, lc_s3, s3_s4 });
 
 /// Which elements are blocked, and the direction that is set.
 pub(crate) struct Blocked {
@@ -100,6 +124,8 @@ pub(crate) struct Times {
     lc_s3_ms: i32,
     s3_s4_ms: i32,
 }
+
+crate::bits!(Times { s1_s2_ms, s2_lc_ms, lc_s3_ms, s3_s4_ms });
 
 impl Times {
     fn usable(&self) -> bool {

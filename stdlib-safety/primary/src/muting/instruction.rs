@@ -39,6 +39,8 @@ macro_rules! muting_instruction {
             muting: $crate::muting::common::Muting<$sequence>,
         }
 
+        $crate::bits!($name { muting });
+
         impl $name {
             pub(crate) fn prescan(&mut self, members: &mut Members) {
                 let times = read_times(members);

@@ -25,6 +25,18 @@ enum Step {
     Sensor1Out,
 }
 
+crate::bits!(
+    enum Step {
+        Wait,
+        Idle,
+        Sensor1In,
+        MutedIn,
+        MutedCurtain,
+        MutedOut,
+        Sensor1Out,
+    }
+);
+
 /// Step and pair timers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Asymmetrical {
@@ -32,6 +44,8 @@ pub(crate) struct Asymmetrical {
     s1_s2: Timer,
     s2_lc: Timer,
 }
+
+crate::bits!(Asymmetrical { step, s1_s2, s2_lc });
 
 /// Which elements are blocked.
 pub(crate) struct Blocked {
@@ -56,6 +70,8 @@ pub(crate) struct Times {
     s1_s2_ms: i32,
     s2_lc_ms: i32,
 }
+
+crate::bits!(Times { s1_s2_ms, s2_lc_ms });
 
 impl Times {
     fn usable(&self) -> bool {

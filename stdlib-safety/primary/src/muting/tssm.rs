@@ -55,6 +55,42 @@ enum Step {
     OneOut(Sensor),
 }
 
+crate::bits!(coded Step);
+
+#[cfg(feature = "injection")]
+impl crate::injection::Coded for Step {
+    /// The step, and whether its sensor is the second one.
+    type Code = (crate::injection::Few<3>, bool);
+    const FIRST: Step = Step::Wait;
+
+    fn code(&self) -> Self::Code {
+        let (number, second) = match *self {
+            Step::Wait => (0, false),
+            Step::Idle => (1, false),
+            Step::OneIn(sensor) => (2, sensor == Sensor::Two),
+            Step::MutedIn => (3, false),
+            Step::MutedCurtain => (4, false),
+            Step::MutedOut => (5, false),
+            Step::OneOut(sensor) => (6, sensor == Sensor::Two),
+        };
+        (crate::injection::Few(number), second)
+    }
+
+    fn of((number, second): Self::Code) -> Option<Step> {
+        let sensor = if second { Sensor::Two } else { Sensor::One };
+        let steps = [
+            Step::Wait,
+            Step::Idle,
+            Step::OneIn(sensor),
+            Step::MutedIn,
+            Step::MutedCurtain,
+            Step::MutedOut,
+            Step::OneOut(sensor),
+        ];
+        steps.get(number.0 as usize).copied()
+    }
+}
+
 /// Step and timers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Symmetrical {
@@ -63,6 +99,8 @@ pub(crate) struct Symmetrical {
     /// `tsl`: since both sensors became blocked, or since the curtain cleared.
     settled: Timer,
 }
+
+crate::bits!(Symmetrical { step, discrepancy, settled });
 
 /// Which elements are blocked.
 pub(crate) struct Blocked {
@@ -87,6 +125,8 @@ pub(crate) struct Times {
     minimum_ms: i32,
     maximum_ms: i32,
 }
+
+crate::bits!(Times { discrepancy_ms, minimum_ms, maximum_ms });
 
 impl Times {
     fn usable(&self) -> bool {

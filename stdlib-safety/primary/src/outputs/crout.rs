@@ -38,6 +38,16 @@ enum Phase {
     Fault,
 }
 
+crate::bits!(
+    enum Phase {
+        Off,
+        TurningOn,
+        On,
+        TurningOff,
+        Fault,
+    }
+);
+
 /// Memory of a CROUT call; its default is the state after prescan.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Crout {
@@ -54,6 +64,18 @@ pub struct Crout {
     input_status_before: bool,
     output_status_before: bool,
 }
+
+crate::bits!(Crout {
+    phase,
+    fault,
+    armed,
+    seen_off,
+    grace,
+    reaction,
+    reset,
+    input_status_before,
+    output_status_before
+});
 
 /// What a scan reads.
 struct Inputs {

@@ -17,6 +17,8 @@ pub(crate) struct Which {
     pub(crate) second: bool,
 }
 
+crate::bits!(Which { first, second });
+
 impl Which {
     pub(crate) fn any(self) -> bool {
         self.first || self.second

@@ -34,6 +34,8 @@ pub struct Rout {
     reset: Edge,
 }
 
+crate::bits!(Rout { on, armed, failed, mismatch, reset });
+
 impl Rout {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Rout::default();

@@ -39,6 +39,19 @@ pub(crate) struct Circuit {
     fault_reset: Edge,
 }
 
+crate::bits!(Circuit {
+    alive,
+    o1,
+    cycle,
+    reset_held,
+    inconsistent,
+    partial,
+    split,
+    both_before,
+    circuit_reset,
+    fault_reset
+});
+
 impl Circuit {
     /// One scan with a true rung.
     pub(crate) fn scan(&mut self, inputs: &Inputs, now_ms: i64) {
@@ -116,6 +129,8 @@ macro_rules! circuit_instruction {
         pub struct $name {
             circuit: $crate::version_14::circuit::Circuit,
         }
+
+        $crate::bits!($name { circuit });
 
         impl $name {
             pub(crate) fn prescan(&mut self, members: &mut Members) {

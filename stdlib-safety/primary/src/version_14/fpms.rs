@@ -39,6 +39,8 @@ pub struct Fpms {
     reset: Edge,
 }
 
+crate::bits!(Fpms { none, no_mode, several_modes, reset });
+
 impl Fpms {
     pub(crate) fn prescan(&mut self, members: &mut Members) {
         *self = Fpms::default();

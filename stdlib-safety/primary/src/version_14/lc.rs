@@ -32,6 +32,8 @@ struct Filter {
     low: Timer,
 }
 
+crate::bits!(Filter { output, low });
+
 impl Filter {
     fn follow(&mut self, raw: bool, filter_ms: i32, now_ms: i64) -> bool {
         self.low.follow(!raw, now_ms);
@@ -47,6 +49,8 @@ pub struct Lc {
     filter_a: Filter,
     filter_b: Filter,
 }
+
+crate::bits!(Lc { circuit, filter_a, filter_b });
 
 impl Lc {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

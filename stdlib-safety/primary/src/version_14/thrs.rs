@@ -74,6 +74,8 @@ struct Hands {
     press: Timer,
 }
 
+crate::bits!(Hands { ready, pressed, tied_down, cycle, press });
+
 /// Memory of a THRS call.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thrs {
@@ -86,6 +88,8 @@ pub struct Thrs {
     station_fault: bool,
     reset: Edge,
 }
+
+crate::bits!(Thrs { hands, right_mixed, left_mixed, unplugged, right_fault, left_fault, station_fault, reset });
 
 impl Thrs {
     pub(crate) fn prescan(&mut self, members: &mut Members) {

@@ -22,17 +22,23 @@ pub(crate) struct Cells {
 impl<O: Observer> Run<'_, O> {
     /// Writes a bit cell of the image.
     pub(super) fn write_bit(&mut self, cell: u32, value: bool) {
-        self.machine.put_bit(cell, value);
         if O::ACTIVE && cell < self.program.bit_cells {
-            self.observer.bit_written(BitCell(cell), value);
+            let arrived = self.observer.bit_arrives(BitCell(cell), value);
+            self.machine.put_bit(cell, arrived);
+            self.observer.bit_written(BitCell(cell), arrived);
+        } else {
+            self.machine.put_bit(cell, value);
         }
     }
 
     /// Writes a word cell of the image.
     pub(super) fn write_word(&mut self, cell: u32, value: u32) {
-        self.machine.put_word(cell, value);
         if O::ACTIVE && cell < self.program.word_cells {
-            self.observer.word_written(WordCell(cell), value as i32);
+            let arrived = self.observer.word_arrives(WordCell(cell), value as i32);
+            self.machine.put_word(cell, arrived as u32);
+            self.observer.word_written(WordCell(cell), arrived);
+        } else {
+            self.machine.put_word(cell, value);
         }
     }
 

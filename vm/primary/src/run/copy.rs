@@ -1,5 +1,6 @@
 //! COP, FLL and SIZE. general-instructions.md A.6, REQ-EXEC-006.
 
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Element;
 
@@ -52,7 +53,7 @@ impl<O: Observer> Run<'_, O> {
             *byte = 0;
         }
         let program = self.program;
-        for index in 0..length {
+        for index in 0..length.min(limits::COPY_BYTES) {
             let (bit, word, byte) = element_base(from, side, index);
             for field in side.fields.of(&program.fields) {
                 let at = byte.saturating_add(field.byte) as usize;
@@ -75,7 +76,7 @@ impl<O: Observer> Run<'_, O> {
     /// Spreads what was collected over the fields that begin in the first `bytes` of elements; later ones stay.
     pub(super) fn scatter(&mut self, to: Cells, side: Side, length: u32, bytes: u32) {
         let program = self.program;
-        for index in 0..length {
+        for index in 0..length.min(limits::COPY_BYTES) {
             let (bit, word, byte) = element_base(to, side, index);
             for field in side.fields.of(&program.fields) {
                 let at = byte.saturating_add(field.byte);
@@ -111,7 +112,7 @@ impl<O: Observer> Run<'_, O> {
         let operand = self.program.operand(instruction.operands, 1);
         let cells = self.side_cells(operand, plan.destination, plan.length)?;
         let crate::program::Content::Element(element) = plan.destination.content else { return Ok(()) };
-        for index in 0..plan.length {
+        for index in 0..plan.length.min(limits::COPY_BYTES) {
             let (_, lost) = self.store(Slot::Word { word: cells.word.saturating_add(index), element }, value);
             if lost {
                 self.overflow();

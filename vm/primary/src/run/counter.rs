@@ -13,6 +13,8 @@ const CD: u32 = 1;
 const DN: u32 = 2;
 const OV: u32 = 3;
 const UN: u32 = 4;
+/// Bits of the largest structure that RES takes: CONTROL.
+const RESETTABLE: u32 = 8;
 
 impl<O: Observer> Run<'_, O> {
     /// One execution of a counter.
@@ -54,7 +56,7 @@ impl<O: Observer> Run<'_, O> {
             _ => 0,
         };
         self.write_word(word.saturating_add(ACC), 0);
-        for offset in 0..bits {
+        for offset in 0..bits.min(RESETTABLE) {
             self.write_bit(bit.saturating_add(offset), false);
         }
         Ok(())

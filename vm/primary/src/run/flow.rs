@@ -2,11 +2,11 @@
 
 use twinrung_bytecode::channel::ScanEnd;
 use twinrung_bytecode::limits;
-use twinrung_bytecode::observer::Observer;
+use twinrung_bytecode::observer::{ElementUpset, Observer};
 use twinrung_catalog::Opcode;
 
 use super::path::Event;
-use super::{FaultCode, LOOPS, NO_LABEL, Run};
+use super::{FaultCode, LOOPS, NO_LABEL, Run, upset};
 use crate::machine::{BRANCHES, Frame, Role};
 use crate::program::{Code, NONE, Single, Step};
 
@@ -28,7 +28,7 @@ impl<O: Observer> Run<'_, O> {
         loop {
             match self.program.steps.get(frame.position as usize).copied() {
                 Some(Step::Block { runs, instructions }) => {
-                    self.machine.status.executed = self.machine.status.executed.saturating_add(u64::from(instructions));
+                    self.machine.spent = self.machine.spent.saturating_add(u64::from(instructions));
                     self.block(runs);
                     frame.position = frame.position.saturating_add(1);
                 }
@@ -76,12 +76,19 @@ impl<O: Observer> Run<'_, O> {
                     if O::ACTIVE {
                         let place = self.place(&frame, 0);
                         self.observer.rung_entered(place);
+                        self.upset_rung(&body, &mut frame);
                     }
                 }
                 Some(Code::EndRung) => {
                     self.machine.branches.truncate(frame.branches as usize);
-                    frame.rung = frame.rung.saturating_add(1);
                     frame.halted = false;
+                    if O::ACTIVE && frame.resume != NONE {
+                        // Once more (see `upset_rung`).
+                        frame.position = frame.resume;
+                        frame.resume = NONE;
+                        continue;
+                    }
+                    frame.rung = frame.rung.saturating_add(1);
                     if frame.resume != NONE {
                         frame.position = frame.resume;
                         frame.resume = NONE;
@@ -105,7 +112,15 @@ impl<O: Observer> Run<'_, O> {
                 Some(Code::Instruction(_) | Code::AddOn(_)) => {
                     self.save(frame);
                     let input = frame.condition;
-                    match self.element(position, input, &frame) {
+                    let upset = self.element_upset(&frame, position);
+                    if upset == ElementUpset::Skip {
+                        continue;
+                    }
+                    let mut next = self.element(position, input, &frame);
+                    if upset == ElementUpset::Repeat && matches!(next, Ok(Next::Out(_))) {
+                        next = self.element(position, input, &frame);
+                    }
+                    match next.map(|next| upset::upset(next, upset)) {
                         Ok(Next::Out(out)) => {
                             self.report(&frame, position, input, out);
                             frame.condition = out;
@@ -167,6 +182,9 @@ impl<O: Observer> Run<'_, O> {
             Some(Code::Instruction(index)) => *index,
             Some(Code::AddOn(call)) => {
                 self.retire(1);
+                if self.runs_away() {
+                    return Ok(Next::Exhausted);
+                }
                 return self.add_on(*call, input, frame.prescan);
             }
             _ => return Ok(Next::Out(input)),
@@ -177,6 +195,7 @@ impl<O: Observer> Run<'_, O> {
         };
         match instruction.opcode {
             Opcode::Jmp if input => self.jump(instruction.extra, frame),
+            Opcode::Jsr if self.runs_away() => Ok(Next::Exhausted),
             Opcode::Jsr if input || frame.prescan => self.subroutine(index, frame.prescan),
             Opcode::Ret if input => {
                 self.gather_returns(instruction)?;
@@ -201,6 +220,8 @@ impl<O: Observer> Run<'_, O> {
             if self.over_budget() {
                 return Ok(Next::Exhausted);
             }
+        } else if self.runs_away() {
+            return Ok(Next::Exhausted);
         }
         if !frame.stepping {
             self.report(frame, frame.position.saturating_sub(1), true, true);
@@ -209,6 +230,9 @@ impl<O: Observer> Run<'_, O> {
         if let Some(top) = self.machine.frames.last_mut() {
             top.position = if top.stepping { label.step } else { label.code };
             top.rung = label.rung;
+            if O::ACTIVE {
+                top.resume = NONE;
+            }
             let branches = top.branches as usize;
             self.machine.branches.truncate(branches);
         }

@@ -21,9 +21,11 @@ mod safety;
 mod system;
 mod timer;
 mod transfer;
+mod upset;
 
 use twinrung_bytecode::channel::{FaultRecord, Place, ScanEnd, ScanInputs};
 use twinrung_bytecode::index::{ProgramIndex, RoutineIndex};
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 
 pub(crate) use compare::relation;
@@ -118,7 +120,7 @@ impl<O: Observer> Run<'_, O> {
         machine.events.fill(0);
         machine.handling = None;
         machine.handled = false;
-        machine.executed_before = machine.status.executed;
+        machine.spent = 0;
         machine.path = 0;
         if machine.doubtful {
             machine.doubtful = self.program.watched_timers.iter().any(|timer| {
@@ -129,13 +131,20 @@ impl<O: Observer> Run<'_, O> {
     }
 
     fn end(&mut self, end: ScanEnd) -> ScanEnd {
+        let status = &mut self.machine.status;
+        status.executed = status.executed.saturating_add(self.machine.spent);
         if end == ScanEnd::Completed && self.over_budget() { ScanEnd::BudgetExceeded } else { end }
     }
 
     /// Whether this scan has executed more than its budget.
     pub(crate) fn over_budget(&self) -> bool {
-        let machine = &*self.machine;
-        machine.status.executed.saturating_sub(machine.executed_before) > self.inputs.budget
+        self.machine.spent > self.inputs.budget
+    }
+
+    /// Whether it has executed more than its budget and what an admitted program can execute without a backward jump:
+    /// the program is no longer what was loaded.
+    pub(crate) fn runs_away(&self) -> bool {
+        self.machine.spent > self.inputs.budget.saturating_add(limits::STRAIGHT_INSTRUCTIONS)
     }
 
     fn enter_program(&mut self, index: u16) -> Option<crate::program::ProgramEntry> {
@@ -215,7 +224,7 @@ impl<O: Observer> Run<'_, O> {
 
     /// Counts one reached instruction.
     pub(crate) fn retire(&mut self, count: u64) {
-        self.machine.status.executed = self.machine.status.executed.saturating_add(count);
+        self.machine.spent = self.machine.spent.saturating_add(count);
         if O::ACTIVE {
             self.observer.instructions_retired(count);
         }

@@ -1,6 +1,7 @@
 //! GSV, SSV and EVENT. general-instructions.md A.8 and A.10.
 
 use twinrung_bytecode::channel::FaultRecord;
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 
 use super::cells::Cells;
@@ -28,7 +29,7 @@ impl<O: Observer> Run<'_, O> {
         let Some((cells, plan)) = self.data(instruction)? else { return Ok(()) };
         let record = value.record_of.and_then(|program| self.machine.records.get(usize::from(program)).copied());
         let width = value.element_bytes as usize;
-        for index in 0..value.length {
+        for index in 0..value.length.min(limits::COPY_BYTES) {
             let number = match &record {
                 Some(record) => record.get(index as usize).copied(),
                 None => self.inputs.system_values.get(value.first.saturating_add(index) as usize).copied(),

@@ -5,7 +5,7 @@ use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Opcode;
 
 use super::{FaultCode, PARAMETERS, Run};
-use crate::machine::Slot;
+use crate::machine::{Slot, TRANSFERS};
 use crate::number::Number;
 use crate::program::{Instruction, Operand, Program, Range};
 
@@ -68,15 +68,15 @@ impl<O: Observer> Run<'_, O> {
     /// Writes the kept values to the receiving slots.
     fn hand_over(&mut self, count: u32) {
         let (mut bits, mut words) = (0usize, 0usize);
-        for index in 0..count as usize {
+        for index in 0..(count as usize).min(TRANSFERS) {
             let slot = self.machine.slots.get(index).copied().unwrap_or(Slot::Constant(Number::Integer(0)));
             if let Slot::Region { bit, bit_cells, word, word_cells } = slot {
-                for offset in 0..bit_cells {
+                for offset in 0..bit_cells.min(self.machine.passing_bits.len() as u32) {
                     let value = self.machine.passing_bits.get(bits).is_some_and(|bit| *bit != 0);
                     self.write_bit(bit.saturating_add(offset), value);
                     bits = bits.saturating_add(1);
                 }
-                for offset in 0..word_cells {
+                for offset in 0..word_cells.min(self.machine.passing_words.len() as u32) {
                     let value = self.machine.passing_words.get(words).copied().unwrap_or(0);
                     self.write_word(word.saturating_add(offset), value);
                     words = words.saturating_add(1);

@@ -16,10 +16,10 @@ const TAGS: &str = "a b c d e f g h BOOL; s0 s1 s2 s3 BOOL; i j k l m DINT; n IN
                     arr DINT[6]; small SINT[8]; flags BOOL[32]; t0 t1 t2 TIMER; c0 c1 COUNTER; k0 k1 CONTROL; w DINT";
 
 /// A generator of numbers; the same seed gives the same program.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn below(&mut self, bound: u64) -> u64 {
+    pub(super) fn below(&mut self, bound: u64) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -224,7 +224,7 @@ impl Random {
     }
 }
 
-fn program(seed: u64) -> Rig {
+pub(super) fn program(seed: u64) -> Rig {
     let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
     let mut assembler = Assembler::new();
     assembler.tags(TAGS);
