@@ -8,6 +8,7 @@ use std::fmt::Write as _;
 use std::process::Command;
 
 use twinrung_benches::{Inputs, Result, checked, image, timed};
+use twinrung_controller::Partner;
 use twinrung_workbench::mix::{Mix, Program};
 
 /// What is counted: mix, rungs, scans. A count is that of many scans less that of few, so that loading is not in it.
@@ -22,7 +23,7 @@ fn main() -> Result<()> {
         ["work", mix, rungs, scans] => {
             let program = Program::new(mix.parse()?, rungs.parse()?, 1);
             let (image, bytes) = image(&checked("mix.rll", &program.rll())?)?;
-            timed(&image, &bytes, scans.parse()?, Inputs::Toggled(16)).map(|_| ())
+            timed::<Partner>(&image, &bytes, scans.parse()?, Inputs::Toggled(16)).map(|_| ())
         }
         [] => count_all().map(|_| ()),
         ["--save", file] => Ok(std::fs::write(file, text(&count_all()?))?),

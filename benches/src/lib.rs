@@ -7,10 +7,11 @@
 use std::path::Path;
 use std::time::Duration;
 
+use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::observer::Silent;
 use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_compiler::{CheckedProject, Completion, check, compile};
-use twinrung_controller::DualController;
+use twinrung_controller::{Controller, DualController, Primary};
 use twinrung_grammar::tree::Sources;
 use twinrung_workbench::bench::Stopwatch;
 use twinrung_workbench::mix::{PERIOD_MS, Toggles, hash};
@@ -44,7 +45,11 @@ pub fn image(project: &CheckedProject) -> Result<(AdmittedImage, Vec<u8>)> {
 
 /// A controller in Run with an image.
 pub fn controller(image: &AdmittedImage, bytes: &[u8]) -> Result<DualController> {
-    let mut controller = DualController::load(image.clone(), bytes).map_err(|error| error.to_string())?;
+    with_partner(image, bytes)
+}
+
+fn with_partner<B: Channel>(image: &AdmittedImage, bytes: &[u8]) -> Result<Controller<Primary, B>> {
+    let mut controller = Controller::load(image.clone(), bytes).map_err(|error| error.to_string())?;
     controller.power_up_in_run();
     Ok(controller)
 }
@@ -69,9 +74,9 @@ pub struct Timing {
     pub hash: u64,
 }
 
-/// Runs a generated program.
-pub fn timed(image: &AdmittedImage, bytes: &[u8], scans: u64, inputs: Inputs) -> Result<Timing> {
-    let mut controller = controller(image, bytes)?;
+/// Runs a generated program with this partner.
+pub fn timed<B: Channel>(image: &AdmittedImage, bytes: &[u8], scans: u64, inputs: Inputs) -> Result<Timing> {
+    let mut controller = with_partner::<B>(image, bytes)?;
     let each_scan = if let Inputs::Toggled(count) = inputs { count } else { 0 };
     let mut toggles = Toggles::new(&mut controller, each_scan).ok_or("not a generated program")?;
     let mut clock = Stopwatch::new(None);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
+use twinrung_workbench::Threads;
 use twinrung_workbench::bench::{self, Driven, Plan, Report};
 use twinrung_workbench::mix::{Mix, Program};
 
@@ -37,6 +38,9 @@ pub struct Bench {
     /// One scan in each period, judged by the watchdog; shows how late scans begin
     #[arg(long)]
     realtime: bool,
+    /// Execute both channels at the same time, on this many threads: 1 or 2. The second takes a processor for itself
+    #[arg(long, value_name = "N", default_value_t = Threads::One)]
+    threads: Threads,
     /// Do not measure what each instruction costs here, and estimate no time for the longest path
     #[arg(long)]
     no_estimate: bool,
@@ -115,7 +119,8 @@ pub fn run(arguments: &Bench) -> io::Result<ExitCode> {
 }
 
 fn plan(arguments: &Bench) -> io::Result<Plan> {
-    let plan = Plan { scans: arguments.scans, realtime: arguments.realtime, ..Plan::default() };
+    let plan =
+        Plan { scans: arguments.scans, realtime: arguments.realtime, threads: arguments.threads, ..Plan::default() };
     let Some(file) = &arguments.file else {
         // Every contender begins with the first scan, and compares states after the last.
         return Ok(Plan { inputs: Driven::Toggles(arguments.toggles), warm_up: 0, ..plan });

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use twinrung_bytecode::AdmittedImage;
-use twinrung_bytecode::channel::{MajorFault, Place};
+use twinrung_bytecode::channel::{Channel, MajorFault, Place};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::signature::short_form;
 use twinrung_controller::{SafetyFault, StopReason};
@@ -16,9 +16,9 @@ use twinrung_primary::Primary;
 use twinrung_workbench::diagram::{self, Style};
 use twinrung_workbench::difference;
 use twinrung_workbench::run::default_names;
-use twinrung_workbench::{Outcome, Recording, Run as Session, Stimulus};
+use twinrung_workbench::{OnThread, Outcome, Recording, Run as Session, Stimulus, Threads};
 
-use crate::input::{self, Complete, Required};
+use crate::input::{self, Complete, Loaded, Required};
 use crate::progress::with_progress;
 use crate::terminal::{self, Terminal};
 use crate::{exit, failed, files};
@@ -45,6 +45,9 @@ pub struct Run {
     /// Time of the last scan in ms; without it some periods after the stimulus's last row
     #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(..=UNTIL_MS_MAX))]
     until: Option<u64>,
+    /// Execute both channels at the same time, on this many threads: 1 or 2; the recording is the same
+    #[arg(long, value_name = "N", default_value_t = Threads::One)]
+    threads: Threads,
     /// Draw no timing diagram
     #[arg(long)]
     quiet: bool,
@@ -72,6 +75,14 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
         writeln!(out, "{error}; nothing was run")?;
         return Ok(ExitCode::from(exit::REFUSED));
     }
+    match arguments.threads {
+        Threads::One => scans::<Partner>(arguments, loaded, &mut out),
+        Threads::Two => scans::<OnThread<Partner>>(arguments, loaded, &mut out),
+    }
+}
+
+/// Runs with this partner.
+fn scans<B: Channel>(arguments: &Run, loaded: Loaded, out: &mut dyn Write) -> io::Result<ExitCode> {
     let stimulus = input::stimulus(&arguments.file, arguments.stimulus.as_deref())?;
     let beside = arguments.file.join("record.txt");
     let names = match &arguments.record {
@@ -80,7 +91,7 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
         None => default_names(&loaded.image, stimulus.as_ref(), DIAGRAM_ROWS),
     };
     let signature = short_form(loaded.image.application_signature());
-    let mut session: Session<Primary, Partner> = Session::new(loaded.image, &loaded.bytes).map_err(failed)?;
+    let mut session: Session<Primary, B> = Session::new(loaded.image, &loaded.bytes).map_err(failed)?;
     if let Some(stimulus) = &stimulus {
         session.stimulate(stimulus).map_err(failed)?;
     }
@@ -106,7 +117,7 @@ pub fn run(arguments: &Run) -> io::Result<ExitCode> {
         write_recording(path, session.recording())?;
         writeln!(out, "wrote {} ({} rows)", path.display(), session.recording().rows.len())?;
     }
-    report(&mut out, session.controller().image(), &outcome, begun.elapsed())
+    report(out, session.controller().image(), &outcome, begun.elapsed())
 }
 
 fn listed(list: &str) -> io::Result<Vec<String>> {
@@ -174,6 +185,7 @@ fn explained(image: &AdmittedImage, reason: StopReason) -> String {
         StopReason::Safety(SafetyFault::ImageCorrupted) => {
             "the image in memory is not the one that was admitted".to_owned()
         }
+        StopReason::Safety(SafetyFault::ChannelStopped) => "a channel did not come to the end of its scan".to_owned(),
         StopReason::Recoverable(MajorFault { code, place }) => {
             format!("major fault 4/{code} at {}", place_words(image.image(), place))
         }

@@ -151,7 +151,7 @@ fn bench_report_when_a_rung_was_not_reached_then_its_longest_path_is_listed_all_
 #[test]
 fn bench_when_the_random_inputs_have_one_seed_then_they_are_the_same() {
     let seeded = |seed| {
-        let plan = Plan { scans: 60, warm_up: 0, inputs: Driven::Random(seed), realtime: false };
+        let plan = Plan { scans: 60, warm_up: 0, inputs: Driven::Random(seed), ..Plan::default() };
         let (measurement, _) = measured(&project_path("samples/locked-gate/project.rll"), &plan);
         (measurement.counts, measurement.coverage, measurement.instructions_max)
     };
@@ -210,7 +210,7 @@ fn bench_when_a_mix_is_toggled_then_the_same_toggles_give_the_same_hash() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("project.rll");
     std::fs::write(&path, Program::new(Mix::Plant, 200, 5).rll()).unwrap();
-    let plan = |inputs| Plan { scans: 60, warm_up: 0, inputs, realtime: false };
+    let plan = |inputs| Plan { scans: 60, warm_up: 0, inputs, ..Plan::default() };
     let (toggled, _) = measured(&path, &plan(Driven::Toggles(16)));
     let (again, _) = measured(&path, &plan(Driven::Toggles(16)));
     let (still, _) = measured(&path, &plan(Driven::Toggles(0)));

@@ -213,3 +213,33 @@ fn check_when_there_are_only_notes_then_it_counts_them() {
     assert_eq!(said.code, Some(0));
     assert!(said.out.contains("W0111") && said.out.ends_with(&format!("{path}: 1 note\n")), "{}", said.out);
 }
+
+/// REQ-SCAN-031
+#[test]
+fn bench_when_asked_for_two_threads_then_the_state_is_that_of_one_and_the_report_says_how_many() {
+    let of = |threads: &str| {
+        let said = bench(&["--mix", "plant", "--rungs", "60", "--seed", "3", "--scans", "40", "--threads", threads]);
+        let json = json(&said);
+        (said.code, json["threads"].as_u64(), json["hash"].as_str().map(str::to_owned))
+    };
+    let (one, two) = (of("1"), of("2"));
+    assert_eq!((one.0, one.1, two.0, two.1), (Some(0), Some(1), Some(0), Some(2)));
+    assert!(one.2.is_some());
+    assert_eq!(one.2, two.2);
+    assert_eq!(bench(&[SAMPLE, "--threads", "3"]).code, Some(2));
+}
+
+/// REQ-SCAN-031
+#[test]
+fn run_when_asked_for_two_threads_then_the_recording_is_that_of_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let recorded = |threads: &str| {
+        let path = folder.path().join(threads);
+        let arguments = ["run", SAMPLE, "--quiet", "--threads", threads, "--out", path.to_str().unwrap()];
+        assert_eq!(twinrung(&arguments).code, Some(0));
+        text(&path)
+    };
+    let one = recorded("1");
+    assert!(one.lines().count() > 10);
+    assert_eq!(one, recorded("2"));
+}

@@ -24,6 +24,7 @@ mod reaction;
 mod refused;
 mod samples;
 mod support;
+mod two_threads;
 mod vectors;
 mod verdict;
 mod wrong_instruction;

@@ -24,9 +24,11 @@ pub mod recording;
 pub mod run;
 pub mod signal;
 pub mod stimulus;
+pub mod threads;
 mod usage;
 
 pub use recording::{Recording, Row};
 pub use run::{Outcome, Run, RunError};
 pub use signal::{Signal, SignalError, Value};
 pub use stimulus::{Stimulus, StimulusError};
+pub use threads::{OnThread, Threads};

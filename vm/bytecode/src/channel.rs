@@ -105,8 +105,21 @@ pub trait Channel: Sized {
     /// Clears the status but for `executed`, and arms S:FS for the next scan.
     fn prescan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd;
 
+    /// The controller will ask for this scan next. A channel with a thread or a processor of its own may begin it now, unless
+    /// it is observed (`O::ACTIVE`); [`Channel::scan`], which follows, then waits for its end. Between the two nothing is
+    /// asked of the channel.
+    fn begin<O: Observer>(&mut self, inputs: ScanInputs<'_>) {
+        let _ = inputs;
+    }
+
     /// One execution of the safety task.
     fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd;
+
+    /// Whether the channel has stopped: what it runs on is gone, or gave no answer in time. It executes no more, and what
+    /// it says of its cells and of how a scan ended means nothing. An interpreter by itself never stops.
+    fn has_stopped(&self) -> bool {
+        false
+    }
 
     /// Writes a frozen input or mapped tag before a scan. Out of range: no effect.
     fn set_bit(&mut self, cell: BitCell, value: bool);

@@ -229,6 +229,7 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         clock.ended(Part::Freeze);
         let before = self.primary.status().executed;
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
+        self.partner.begin::<Q>(inputs);
         let primary_end = self.primary.scan(inputs, primary_observer);
         clock.ended(Part::Primary);
         let partner_end = self.partner.scan(inputs, partner_observer);
@@ -238,7 +239,9 @@ impl<A: Channel, B: Channel> Controller<A, B> {
             reason = Some(StopReason::Safety(SafetyFault::ImageCorrupted));
         }
         clock.ended(Part::Compare);
-        if clock.expired() && !matches!(reason, Some(StopReason::Safety(_))) {
+        // A channel that gave no answer until the watchdog expired has not made it in time: no more is known of it.
+        let known = matches!(reason, Some(StopReason::Safety(fault)) if fault != SafetyFault::ChannelStopped);
+        if clock.expired() && !known {
             reason = Some(StopReason::Safety(SafetyFault::WatchdogExpired));
         }
         if let Some(reason) = reason {
@@ -276,6 +279,9 @@ impl<A: Channel, B: Channel> Controller<A, B> {
     }
 
     fn judge(&self, ends: (ScanEnd, ScanEnd)) -> Option<StopReason> {
+        if self.primary.has_stopped() || self.partner.has_stopped() {
+            return Some(StopReason::Safety(SafetyFault::ChannelStopped));
+        }
         if let Some(difference) = compare(self.image.image(), &self.primary, &self.partner, ends) {
             return Some(StopReason::Safety(SafetyFault::Difference(difference)));
         }

@@ -15,6 +15,8 @@ pub enum SafetyFault {
     BudgetExceeded,
     /// The image in memory is no longer the one that was admitted (14/7).
     ImageCorrupted,
+    /// A channel did not come to the end of an execution: it stopped, or gave no answer in time (14/4).
+    ChannelStopped,
 }
 
 impl SafetyFault {
@@ -22,6 +24,7 @@ impl SafetyFault {
     pub const fn type_and_code(self) -> (u16, u16) {
         match self {
             SafetyFault::WatchdogExpired | SafetyFault::BudgetExceeded => (14, 1),
+            SafetyFault::ChannelStopped => (14, 4),
             SafetyFault::Difference(_) | SafetyFault::ImageCorrupted => (14, 7),
         }
     }

@@ -35,6 +35,8 @@ pub use controller::{Controller, LoadError, ScanReport};
 pub use fault::{SafetyFault, StopReason};
 pub use image_check::IMAGE_CHECK_BYTES_PER_SCAN;
 pub use mode::{Mode, ModeRequest};
+pub use twinrung_partner::Partner;
+pub use twinrung_primary::Primary;
 
 /// The controller with the two interpreters of this project.
-pub type DualController = Controller<twinrung_primary::Primary, twinrung_partner::Partner>;
+pub type DualController = Controller<Primary, Partner>;

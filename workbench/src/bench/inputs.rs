@@ -3,10 +3,11 @@
 use std::collections::HashSet;
 
 use twinrung_bytecode::AdmittedImage;
+use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::image::{TagKind, TagRecord, TypeKind, TypeReference};
 use twinrung_bytecode::index::TagIndex;
 use twinrung_catalog::Element;
-use twinrung_controller::DualController;
+use twinrung_controller::Controller;
 
 use crate::drive::runs;
 use crate::names;
@@ -42,7 +43,7 @@ pub struct Coverage {
 impl Inputs {
     /// What no logic writes: BOOLs of module inputs, consumed tags, mapped tags and plain tags, and numbers of the first
     /// three. Plain numbers are settings, and keep their values; so do tags of predefined types.
-    pub fn new(controller: &mut DualController, seed: u64) -> Inputs {
+    pub fn new<A: Channel, B: Channel>(controller: &mut Controller<A, B>, seed: u64) -> Inputs {
         let image = controller.image();
         let mut bits = Vec::new();
         let mut words = Vec::new();
@@ -70,7 +71,7 @@ impl Inputs {
     }
 
     /// Sets the inputs for a scan: all off in the first, all on in the second, then one in 16 changes.
-    pub fn before(&mut self, controller: &mut DualController, scan: u64) {
+    pub fn before<A: Channel, B: Channel>(&mut self, controller: &mut Controller<A, B>, scan: u64) {
         for bit in &mut self.bits {
             bit.value = match scan {
                 0 => false,

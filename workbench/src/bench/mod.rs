@@ -11,6 +11,7 @@ mod inputs;
 mod page;
 mod picture;
 mod report;
+mod source;
 mod stopwatch;
 mod units;
 
@@ -18,9 +19,10 @@ use std::time::{Duration, Instant};
 
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::bound::{self, Bound};
-use twinrung_bytecode::channel::Channel as _;
+
+use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::observer::Silent;
-use twinrung_controller::{DualController, StopReason};
+use twinrung_controller::{Controller, NoClock, Partner, Primary, StopReason};
 
 pub use costs::{CostRow, Estimate, estimate};
 pub use count::Counts;
@@ -32,11 +34,12 @@ pub use report::{Report, RoutineRow, RungRow};
 pub use stopwatch::Stopwatch;
 pub use units::time;
 
-use crate::drive::Drive;
-use crate::mix::{self, Toggles};
+use crate::mix;
 use crate::run::RunError;
 use crate::stimulus::Stimulus;
+use crate::threads::{OnThread, Threads};
 use count::Counter;
+use source::Source;
 
 /// What to measure.
 #[derive(Debug, Clone)]
@@ -49,6 +52,8 @@ pub struct Plan {
     pub inputs: Driven,
     /// One scan in each period, judged by the watchdog; otherwise scan after scan.
     pub realtime: bool,
+    /// On how many threads the channels execute.
+    pub threads: Threads,
 }
 
 /// What drives the inputs of a measurement.
@@ -64,7 +69,7 @@ pub enum Driven {
 
 impl Default for Plan {
     fn default() -> Plan {
-        Plan { scans: 10_000, warm_up: 100, inputs: Driven::Random(1), realtime: false }
+        Plan { scans: 10_000, warm_up: 100, inputs: Driven::Random(1), realtime: false, threads: Threads::One }
     }
 }
 
@@ -73,9 +78,12 @@ impl Default for Plan {
 pub struct Measurement {
     /// Scans whose time was taken.
     pub scans: u64,
+    /// On how many threads the channels executed.
+    pub threads: Threads,
     /// The whole scan.
     pub whole: Distribution,
-    /// Its parts, in the order of [`twinrung_controller::Part::ALL`].
+    /// Its parts, in the order of [`twinrung_controller::Part::ALL`]. On two threads the partner's is the wait for it, after the
+    /// primary has ended.
     pub parts: [Distribution; 5],
     /// How late scans began, in real time.
     pub lateness: Option<Distribution>,
@@ -104,37 +112,6 @@ const OBSERVED_SCANS: u64 = 200;
 /// How long before its time a scan in real time stops sleeping and waits awake: the scheduler's usual error.
 const AWAKE: Duration = Duration::from_micros(500);
 
-enum Source {
-    Stimulus(Drive),
-    Random(Inputs),
-    Toggles(Box<Toggles>),
-}
-
-impl Source {
-    fn new(controller: &mut DualController, plan: &Plan) -> Result<Source, RunError> {
-        match &plan.inputs {
-            Driven::Stimulus(stimulus) => Drive::new(controller, stimulus).map(Source::Stimulus),
-            Driven::Random(seed) => Ok(Source::Random(Inputs::new(controller, *seed))),
-            Driven::Toggles(each_scan) => Toggles::new(controller, *each_scan)
-                .map(|toggles| Source::Toggles(Box::new(toggles)))
-                .ok_or_else(|| RunError::Load("it does not have the inputs of a generated program".to_owned())),
-        }
-    }
-
-    fn before(&mut self, controller: &mut DualController, scan: u64, time_ms: u64) {
-        match self {
-            Source::Stimulus(drive) => {
-                if drive.is_over() {
-                    drive.again(time_ms);
-                }
-                drive.until(controller, time_ms);
-            }
-            Source::Random(inputs) => inputs.before(controller, scan),
-            Source::Toggles(toggles) => toggles.before(controller),
-        }
-    }
-}
-
 /// Measures. `progress` is told after each scan how many there were, warm-up and observed scans included.
 ///
 /// # Errors
@@ -145,7 +122,7 @@ pub fn measure(
     image: &AdmittedImage,
     bytes: &[u8],
     plan: &Plan,
-    mut progress: impl FnMut(u64),
+    progress: impl FnMut(u64),
 ) -> Result<Measurement, RunError> {
     let task = image.image().task.as_ref().ok_or(RunError::NoTask)?;
     if !task.period_us.is_multiple_of(1000) {
@@ -155,83 +132,124 @@ pub fn measure(
         return Err(RunError::Scans(plan.scans));
     }
     let (period_us, watchdog_us) = (u64::from(task.period_us), u64::from(task.watchdog_us));
-    let distribution = || Distribution::new().map_err(|error| RunError::Load(error.to_string()));
-    let load = || DualController::load(image.clone(), bytes).map_err(|error| RunError::Load(error.to_string()));
-    let mut done = 0;
-    let observed = plan.scans.min(OBSERVED_SCANS);
-    let counts = {
-        let mut controller = load()?;
-        let mut source = Source::new(&mut controller, plan)?;
-        let mut counter = Counter::new(image);
+    let watchdog = plan.realtime.then(|| Duration::from_micros(watchdog_us));
+    let mut work = Work { image, bytes, plan, period_us, watchdog, done: 0, progress };
+    let counts = work.observed_scans()?;
+    match plan.threads {
+        Threads::One => work.timed_scans(&mut work.loaded::<Partner>()?, counts),
+        Threads::Two => {
+            let mut controller = work.loaded::<OnThread<Partner>>()?;
+            // In real time a partner that is later than the watchdog is not waited for.
+            controller.channels_mut().1.set_time_limit(watchdog);
+            work.timed_scans(&mut controller, counts)
+        }
+    }
+}
+
+/// A measurement at work.
+struct Work<'a, F> {
+    image: &'a AdmittedImage,
+    bytes: &'a [u8],
+    plan: &'a Plan,
+    period_us: u64,
+    /// In real time.
+    watchdog: Option<Duration>,
+    /// Scans so far.
+    done: u64,
+    progress: F,
+}
+
+impl<F: FnMut(u64)> Work<'_, F> {
+    fn loaded<B: Channel>(&self) -> Result<Controller<Primary, B>, RunError> {
+        Controller::load(self.image.clone(), self.bytes).map_err(|error| RunError::Load(error.to_string()))
+    }
+
+    fn passed(&mut self) {
+        self.done += 1;
+        (self.progress)(self.done);
+    }
+
+    /// Counts the instructions of some scans, whose time is not taken.
+    fn observed_scans(&mut self) -> Result<Counts, RunError> {
+        let mut controller = self.loaded::<Partner>()?;
+        let mut source = Source::new(&mut controller, self.plan)?;
+        let mut counter = Counter::new(self.image);
         controller.power_up_in_run();
         // The first boundary also prescans, and what a prescan executes is not part of a scan.
         source.before(&mut controller, 0, 0);
         controller.scan(0);
-        for scan in 1..=observed {
-            let time_ms = scan * period_us / 1000;
+        for scan in 1..=self.plan.scans.min(OBSERVED_SCANS) {
+            let time_ms = scan * self.period_us / 1000;
             source.before(&mut controller, scan, time_ms);
             counter.begin();
-            let report =
-                controller.scan_observed(time_ms as i64, &mut twinrung_controller::NoClock, &mut counter, &mut Silent);
+            let report = controller.scan_observed(time_ms as i64, &mut NoClock, &mut counter, &mut Silent);
             counter.end();
             if report.stopped.is_some() {
                 break;
             }
-            done += 1;
-            progress(done);
+            self.passed();
         }
-        counter.counts()
-    };
-    let mut controller = load()?;
-    let mut source = Source::new(&mut controller, plan)?;
-    controller.power_up_in_run();
-    let mut measurement = Measurement {
-        scans: 0,
-        whole: distribution()?,
-        parts: [distribution()?, distribution()?, distribution()?, distribution()?, distribution()?],
-        lateness: if plan.realtime { Some(distribution()?) } else { None },
-        instructions_max: 0,
-        prescan_instructions: None,
-        counts,
-        bound: bound::instructions(image),
-        stopped: None,
-        coverage: None,
-        hash: None,
-        clock_ns: stopwatch::reading_ns(),
-    };
-    let mut stopwatch = Stopwatch::new(plan.realtime.then(|| Duration::from_micros(watchdog_us)));
-    let begun = Instant::now();
-    for scan in 0..plan.warm_up.saturating_add(plan.scans) {
-        let time_ms = scan * period_us / 1000;
-        source.before(&mut controller, scan, time_ms);
-        let late = plan.realtime.then(|| wait_until(begun + Duration::from_micros(scan * period_us)));
-        let report = controller.scan_observed(time_ms as i64, &mut stopwatch, &mut Silent, &mut Silent);
-        if let Some(reason) = report.stopped {
-            measurement.stopped = Some((scan, reason));
-            break;
-        }
-        if scan == 0 {
-            // The first boundary prescans before it scans.
-            let executed = controller.channels_mut().0.status().executed;
-            measurement.prescan_instructions = Some(executed.saturating_sub(report.instructions));
-        }
-        measurement.instructions_max = measurement.instructions_max.max(report.instructions);
-        if scan >= plan.warm_up {
-            measurement.scans += 1;
-            stopwatch.record(&mut measurement.whole, &mut measurement.parts);
-            if let (Some(late), Some(lateness)) = (late, measurement.lateness.as_mut()) {
-                lateness.record(late);
+        Ok(counter.counts())
+    }
+
+    /// Takes the time of scans that nobody observes.
+    fn timed_scans<B: Channel>(
+        &mut self,
+        controller: &mut Controller<Primary, B>,
+        counts: Counts,
+    ) -> Result<Measurement, RunError> {
+        let plan = self.plan;
+        let distribution = || Distribution::new().map_err(|error| RunError::Load(error.to_string()));
+        let mut source = Source::new(controller, plan)?;
+        controller.power_up_in_run();
+        let mut measurement = Measurement {
+            scans: 0,
+            threads: plan.threads,
+            whole: distribution()?,
+            parts: [distribution()?, distribution()?, distribution()?, distribution()?, distribution()?],
+            lateness: if plan.realtime { Some(distribution()?) } else { None },
+            instructions_max: 0,
+            prescan_instructions: None,
+            counts,
+            bound: bound::instructions(self.image),
+            stopped: None,
+            coverage: None,
+            hash: None,
+            clock_ns: stopwatch::reading_ns(),
+        };
+        let mut stopwatch = Stopwatch::new(self.watchdog);
+        let begun = Instant::now();
+        for scan in 0..plan.warm_up.saturating_add(plan.scans) {
+            let time_ms = scan * self.period_us / 1000;
+            source.before(controller, scan, time_ms);
+            let late = plan.realtime.then(|| wait_until(begun + Duration::from_micros(scan * self.period_us)));
+            let report = controller.scan_observed(time_ms as i64, &mut stopwatch, &mut Silent, &mut Silent);
+            if let Some(reason) = report.stopped {
+                measurement.stopped = Some((scan, reason));
+                break;
             }
+            if scan == 0 {
+                // The first boundary prescans before it scans.
+                let executed = controller.status().executed;
+                measurement.prescan_instructions = Some(executed.saturating_sub(report.instructions));
+            }
+            measurement.instructions_max = measurement.instructions_max.max(report.instructions);
+            if scan >= plan.warm_up {
+                measurement.scans += 1;
+                stopwatch.record(&mut measurement.whole, &mut measurement.parts);
+                if let (Some(late), Some(lateness)) = (late, measurement.lateness.as_mut()) {
+                    lateness.record(late);
+                }
+            }
+            self.passed();
         }
-        done += 1;
-        progress(done);
+        match source {
+            Source::Random(inputs) => measurement.coverage = Some(inputs.coverage()),
+            Source::Toggles(_) => measurement.hash = Some(mix::hash(controller)),
+            Source::Stimulus(_) => {}
+        }
+        Ok(measurement)
     }
-    match source {
-        Source::Random(inputs) => measurement.coverage = Some(inputs.coverage()),
-        Source::Toggles(_) => measurement.hash = Some(mix::hash(&controller)),
-        Source::Stimulus(_) => {}
-    }
-    Ok(measurement)
 }
 
 /// Scans that a plan makes in all, for a progress bar.

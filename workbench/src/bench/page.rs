@@ -41,6 +41,9 @@ pub fn page(report: &Report) -> String {
     }
     histogram(&mut out, report);
     parts(&mut out, report);
+    if let Some(on_threads) = report.on_threads() {
+        let _ = writeln!(out, "<p>{on_threads}</p>");
+    }
     instructions(&mut out, report);
     out.push_str("</body></html>\n");
     out

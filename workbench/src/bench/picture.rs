@@ -27,6 +27,9 @@ pub fn picture(report: &Report, columns: usize) -> String {
     );
     histogram(&mut out, report, columns);
     parts(&mut out, report);
+    if let Some(on_threads) = report.on_threads() {
+        let _ = writeln!(out, "{on_threads}\n");
+    }
     instructions(&mut out, report, columns);
     if let Some(longest) = report.longest_path() {
         let _ = writeln!(out, "{longest}");

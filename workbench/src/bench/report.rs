@@ -36,6 +36,8 @@ pub struct Report {
     pub rungs: u64,
     /// Scans whose time was taken.
     pub scans: u64,
+    /// On how many threads the channels executed.
+    pub threads: u8,
     /// Period of the safety task.
     pub period_ns: u64,
     /// Its watchdog.
@@ -46,7 +48,7 @@ pub struct Report {
     pub freeze_ns: Quantiles,
     /// Channel 1.
     pub primary_ns: Quantiles,
-    /// Channel 2.
+    /// Channel 2; on two threads the wait for it, after channel 1 has ended.
     pub partner_ns: Quantiles,
     /// The comparison, and a piece of the running image check.
     pub compare_ns: Quantiles,
@@ -178,6 +180,7 @@ impl Report {
             signature: short_form(image.application_signature()).to_string(),
             rungs: image.rung_counts().iter().copied().map(u64::from).sum(),
             scans: measurement.scans,
+            threads: measurement.threads.count(),
             period_ns,
             watchdog_ns,
             scan_ns,
@@ -271,6 +274,14 @@ impl Report {
         ]
     }
 
+    /// What there is to say of the threads, where there are several.
+    pub(super) fn on_threads(&self) -> Option<&'static str> {
+        (self.threads > 1).then_some(
+            "Both channels executed at the same time, on two threads: what is shown of the partner is the wait for it after the \
+             primary had ended.",
+        )
+    }
+
     /// What there is to say of the time of the longest path.
     pub(super) fn longest_path(&self) -> Option<String> {
         if let Some(reason) = &self.estimate_failed {
@@ -278,8 +289,9 @@ impl Report {
         }
         let estimate = self.estimate.as_ref()?;
         Some(format!(
-            "The longest path would take about {}: an estimate from costs measured on this machine, for this computer only.",
-            time(estimate.bound_ns)
+            "The longest path would take about {}{}: an estimate from costs measured on this machine, for this computer only.",
+            time(estimate.bound_ns),
+            if self.threads > 1 { " on one thread" } else { "" }
         ))
     }
 }

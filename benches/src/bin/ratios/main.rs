@@ -1,7 +1,7 @@
 //! Compares Twinrung with other systems on this machine, in one run, and prints the tables of docs/performance.md.
 //!
 //! `cargo run --release -p twinrung-benches --bin ratios -- [--pairs 7] [--seeds 1,2,3] [--rungs 1000,10000]
-//! [--large 100000] [--scans 300] [--tables c,data,size,build,load]`
+//! [--large 100000] [--scans 300] [--tables c,data,size,build,load,threads]`
 //!
 //! The C renderings come from `../shared/bench` where it is there, with gcc and Python; without them only what needs no
 //! other system is measured.
@@ -12,6 +12,7 @@ mod options;
 mod reference;
 mod scanning;
 mod table;
+mod threads;
 
 use options::Options;
 use twinrung_benches::Result;
@@ -34,6 +35,7 @@ fn main() -> Result<()> {
         scanning::size_dependence,
         building::against_python,
         building::loading,
+        threads::on_two,
     ];
     for (name, print) in options::TABLES.iter().zip(print) {
         if options.tables.iter().any(|wanted| wanted == name) {

@@ -2,19 +2,25 @@
 
 use twinrung_benches::{Inputs, Result, Timing, checked, image, median, timed};
 use twinrung_bytecode::AdmittedImage;
+use twinrung_controller::Partner;
 use twinrung_workbench::mix::{Mix, Program};
 
 use crate::options::Options;
 use crate::reference::{self, Reference};
 use crate::table;
 
-struct Generated {
-    image: AdmittedImage,
-    bytes: Vec<u8>,
-    rll: String,
+/// A generated program, compiled.
+pub struct Generated {
+    /// What a loader makes of its bytes.
+    pub image: AdmittedImage,
+    /// The sealed bytes.
+    pub bytes: Vec<u8>,
+    /// The text.
+    pub rll: String,
 }
 
-fn generated(mix: Mix, rungs: usize, seed: u64) -> Result<Generated> {
+/// Generates and compiles.
+pub fn generated(mix: Mix, rungs: usize, seed: u64) -> Result<Generated> {
     let rll = Program::new(mix, rungs, seed).rll();
     let (image, bytes) = image(&checked("mix.rll", &rll)?)?;
     Ok(Generated { image, bytes, rll })
@@ -56,7 +62,7 @@ pub fn against_c(options: &Options) -> Result<()> {
                 let mut runs = Vec::new();
                 for _ in 0..options.pairs {
                     let c = reference.run(options.scans)?;
-                    let own = timed(&program.image, &program.bytes, options.scans, Inputs::Toggled(16))?;
+                    let own = timed::<Partner>(&program.image, &program.bytes, options.scans, Inputs::Toggled(16))?;
                     if c.hash != own.hash {
                         return Err(format!(
                             "{mix}, {rungs} rungs, seed {seed}: C ends with {:016x}, the channels with {:016x}",
@@ -102,8 +108,8 @@ pub fn data_dependence(options: &Options) -> Result<()> {
             let program = generated(mix, rungs, options.seeds[0])?;
             let mut runs = Vec::new();
             for _ in 0..options.pairs {
-                let still = timed(&program.image, &program.bytes, options.scans, Inputs::Toggled(0))?;
-                let moved = timed(&program.image, &program.bytes, options.scans, Inputs::Redrawn)?;
+                let still = timed::<Partner>(&program.image, &program.bytes, options.scans, Inputs::Toggled(0))?;
+                let moved = timed::<Partner>(&program.image, &program.bytes, options.scans, Inputs::Redrawn)?;
                 runs.push((still.scan_ns as f64 / rungs as f64, moved.scan_ns as f64 / rungs as f64));
             }
             let ratios: Vec<f64> = runs.iter().map(|(still, moved)| moved / still).collect();
@@ -136,8 +142,8 @@ pub fn size_dependence(options: &Options) -> Result<()> {
         let large = generated(mix, options.large, options.seeds[0])?;
         let mut runs = Vec::new();
         for _ in 0..options.pairs {
-            let a = timed(&small.image, &small.bytes, options.scans, Inputs::Toggled(16))?;
-            let b = timed(&large.image, &large.bytes, scans, Inputs::Toggled(16))?;
+            let a = timed::<Partner>(&small.image, &small.bytes, options.scans, Inputs::Toggled(16))?;
+            let b = timed::<Partner>(&large.image, &large.bytes, scans, Inputs::Toggled(16))?;
             runs.push((a.scan_ns as f64 / SMALL as f64, b.scan_ns as f64 / options.large as f64));
         }
         let ratios: Vec<f64> = runs.iter().map(|(small, large)| large / small).collect();
