@@ -15,10 +15,12 @@ use crate::walk::Walker;
 /// The safety partner.
 #[derive(Debug, Clone)]
 pub struct Partner {
-    ladder: Ladder,
-    state: State,
+    /// What it executes.
+    pub(crate) ladder: Ladder,
+    /// What that changes.
+    pub(crate) state: State,
     /// S:FS as the last execution had it.
-    first_scan: bool,
+    pub(crate) first_scan: bool,
 }
 
 impl Partner {

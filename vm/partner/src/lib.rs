@@ -11,6 +11,9 @@
 //! - `walk` executes what is left step by step: jumps, calls, subscripts, faults, prescan, and everything while an
 //!   observer looks on.
 //!
+//! With the feature `injection` every bit of it can be turned round
+//! (`twinrung_bytecode::injection`). Whatever they are then, an execution neither panics nor allocates, and it ends.
+//!
 //! It may depend on the catalog, the image's records and the partner's half of the library; never on the primary, on
 //! the primary's half, or on anything that compiles. After loading it allocates nothing, and an admitted image makes it
 //! neither panic nor read outside its memory.
@@ -34,6 +37,8 @@ extern crate alloc;
 extern crate std;
 
 mod channel;
+#[cfg(feature = "injection")]
+mod injection;
 mod ladder;
 mod load;
 mod memory;

@@ -68,7 +68,7 @@ pub(crate) struct Memory {
     /// Word cells of the image.
     pub(crate) image_words: usize,
     /// Word cells in use, private ones included.
-    used_words: usize,
+    pub(crate) used_words: usize,
 }
 
 /// Stamp of a CONTROL whose run was last completed while its rung was false.

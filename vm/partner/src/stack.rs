@@ -2,17 +2,16 @@
 
 use alloc::vec::Vec;
 
-/// A stack of at most so many entries. It never grows beyond its room, and a clone has the same room.
+/// A stack that never grows beyond the room that it was made with; a clone has the same room.
 #[derive(Debug)]
 pub(crate) struct Stack<T> {
     entries: Vec<T>,
-    room: usize,
 }
 
 impl<T: Copy> Stack<T> {
-    /// An empty stack for so many entries.
+    /// An empty stack for at least so many entries.
     pub(crate) fn new(room: usize) -> Stack<T> {
-        Stack { entries: Vec::with_capacity(room), room }
+        Stack { entries: Vec::with_capacity(room) }
     }
 
     /// Entries on it.
@@ -22,7 +21,7 @@ impl<T: Copy> Stack<T> {
 
     /// Whether it takes no more.
     pub(crate) fn is_full(&self) -> bool {
-        self.entries.len() >= self.room
+        self.entries.len() >= self.entries.capacity()
     }
 
     /// Puts an entry on top; whether there was room.
@@ -58,7 +57,7 @@ impl<T: Copy> Stack<T> {
 
 impl<T: Copy> Clone for Stack<T> {
     fn clone(&self) -> Stack<T> {
-        let mut stack = Stack::new(self.room);
+        let mut stack = Stack::new(self.entries.capacity());
         stack.entries.extend_from_slice(&self.entries);
         stack
     }

@@ -14,11 +14,11 @@ use crate::state::Bound;
 /// A place on the way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Address {
-    bit: u32,
-    word: u32,
+    pub(crate) bit: u32,
+    pub(crate) word: u32,
     /// Elements of the innermost array before it, as far as variable subscripts say.
-    elements: u32,
-    number: u8,
+    pub(crate) elements: u32,
+    pub(crate) number: u8,
 }
 
 /// Depths of the two stacks.

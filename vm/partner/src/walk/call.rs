@@ -150,21 +150,24 @@ impl<O: Observer> Walker<'_, O> {
 
     /// Begins a body of the library, which is at work from here on.
     fn begin_library(&mut self, body: BodyIndex, mode: Mode, link: Link, bound: usize) -> Result<(), Fault> {
-        self.state.in_library = true;
-        self.begin(body, mode, link, bound).inspect_err(|_| self.state.in_library = false)
+        let within = core::mem::replace(&mut self.state.in_library, true);
+        if !within {
+            self.begun_in_library = 0;
+        }
+        self.begin(body, mode, link, bound).inspect_err(|_| self.state.in_library = within)
     }
 
     /// Private state gets its initial values.
     fn forget_private(&mut self, call: &Call) {
         let ladder = self.ladder;
         let private = call.private;
-        for cell in private.bit..private.bit.saturating_add(private.bits) {
-            let value = ladder.initial_bits.get(cell as usize).copied().unwrap_or(false);
-            self.state.memory.set_bit(cell, value);
+        let bits = private.bit as usize..private.bit.saturating_add(private.bits) as usize;
+        for (cell, value) in bits.clone().zip(ladder.initial_bits.get(bits).unwrap_or(&[])) {
+            self.state.memory.set_bit(cell as u32, *value);
         }
-        for cell in private.word..private.word.saturating_add(private.words) {
-            let value = ladder.initial_words.get(cell as usize).copied().unwrap_or(0);
-            self.state.memory.set_word(cell, value);
+        let words = private.word as usize..private.word.saturating_add(private.words) as usize;
+        for (cell, value) in words.clone().zip(ladder.initial_words.get(words).unwrap_or(&[])) {
+            self.state.memory.set_word(cell as u32, *value);
         }
     }
 

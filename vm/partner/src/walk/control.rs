@@ -13,18 +13,32 @@ use super::{Flow, Walker};
 use crate::ladder::{Argument, BodyIndex, Location, NONE, Step};
 use crate::state::Bound;
 
+/// Bodies within one safety application instruction: none of the library has nearly as many.
+const LIBRARY_BODIES: u64 = 64;
+
 /// User faults: JSR to the fault routine with one of these raises it (REQ-EXEC-053).
 const USER_FAULTS: core::ops::RangeInclusive<i32> = 990..=999;
 
 impl<O: Observer> Walker<'_, O> {
     /// Begins a body; the one at work waits.
     pub(super) fn begin(&mut self, body: BodyIndex, mode: Mode, link: Link, bound: usize) -> Result<(), Fault> {
-        if !self.state.frames.push(self.frame) {
+        if !self.may_begin() || !self.state.frames.push(self.frame) {
             self.state.bound.truncate(bound);
             return Err(STACK);
         }
         self.enter(body, mode, link, bound as u32);
         Ok(())
+    }
+
+    /// An admitted image never begins too many bodies: each costs an instruction, the budget is compared at backward jumps,
+    /// and what lies between two is limited. A damaged one must end too.
+    fn may_begin(&mut self) -> bool {
+        let (begun, most) = match self.state.in_library {
+            true => (&mut self.begun_in_library, LIBRARY_BODIES),
+            false => (&mut self.begun, self.inputs.budget.saturating_add(limits::STRAIGHT_INSTRUCTIONS)),
+        };
+        *begun = begun.saturating_add(1);
+        *begun <= most
     }
 
     /// Finds the places of arguments and keeps them for the call; on a fault none is kept.
@@ -94,9 +108,11 @@ impl<O: Observer> Walker<'_, O> {
     fn parameter_cells(&self, to: Bound) -> (u32, u32) {
         match to.argument {
             Argument::Span(span) => {
-                self.ladder.spans.get(span as usize).map_or((0, 0), |span| {
-                    (span.bits.saturating_mul(span.count), span.words.saturating_mul(span.count))
-                })
+                // Loading made room for what an admitted image passes.
+                let room = self.state.passed.len() as u32;
+                let cells = |of_an_element: u32, count: u32| of_an_element.saturating_mul(count).min(room);
+                let span = self.ladder.spans.get(span as usize);
+                span.map_or((0, 0), |span| (cells(span.bits, span.count), cells(span.words, span.count)))
             }
             _ => (0, 0),
         }
@@ -170,7 +186,9 @@ impl<O: Observer> Walker<'_, O> {
     pub(super) fn control(&mut self, step: Step, opcode: Opcode) -> Flow {
         let input = self.frame.rail;
         if !input {
-            self.report(step, input, input);
+            let output = self.behind(input);
+            self.report(step, input, output);
+            self.frame.rail = output;
             return Flow::On;
         }
         let result = match opcode {
@@ -194,14 +212,21 @@ impl<O: Observer> Walker<'_, O> {
     fn jump(&mut self, step: Step) -> Flow {
         let jump = self.ladder.jumps.get(step.first as usize).copied();
         let Some(jump) = jump.filter(|jump| jump.target != NONE) else { return self.after(Err(LABEL)) };
-        let within = usize::from(self.state.in_fault_routine);
-        if let Some(taken) = self.state.jumps.get_mut(jump.counter as usize).and_then(|pair| pair.get_mut(within)) {
-            if *taken >= limits::BACKWARD_JUMPS {
-                return self.after(Err(NESTING));
+        // Whatever its counter says: a jump that leads back is compared with the budget.
+        if jump.target < self.frame.next {
+            let within = usize::from(self.state.in_fault_routine);
+            if let Some(taken) = self.state.jumps.get_mut(jump.counter as usize).and_then(|pair| pair.get_mut(within)) {
+                if *taken >= limits::BACKWARD_JUMPS {
+                    return self.after(Err(NESTING));
+                }
+                *taken = taken.wrapping_add(1);
             }
-            *taken = taken.wrapping_add(1);
             if self.budget_is_exceeded() {
                 return Flow::Ends(ScanEnd::BudgetExceeded);
+            }
+            // The library does not jump, and does not count: only damage leads here.
+            if self.state.in_library {
+                return self.after(Err(NESTING));
             }
         }
         self.report(step, true, true);
@@ -273,8 +298,14 @@ impl<O: Observer> Walker<'_, O> {
 
     /// The element that called goes on with a condition.
     pub(super) fn finish_call(&mut self, output: bool) {
+        if self.repeats() {
+            self.frame.next = self.frame.next.wrapping_sub(1);
+            self.frame.repeating = true;
+            return;
+        }
         let step = self.ladder.step(self.frame.next.wrapping_sub(1));
         let input = self.frame.rail;
+        let output = self.behind(output);
         self.report(step, input, output);
         self.frame.rail = output;
     }

@@ -1,5 +1,6 @@
 //! COP, FLL and SIZE, and the bytes of elements. general-instructions.md A.6; REQ-EXEC-006.
 
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::Element;
 
@@ -42,6 +43,8 @@ impl Stretch {
         let stretch = *self;
         let first = stretch.span.first_field as usize;
         let fields = ladder.fields.get(first..first.saturating_add(stretch.span.fields as usize)).unwrap_or(&[]);
+        // No more are on their way, whatever a damaged operand says.
+        let bytes = bytes.min(limits::COPY_BYTES);
         (0..bytes.div_ceil(stretch.span.bytes.max(1))).map(move |number| {
             let base = stretch.bytes(number);
             let begun = fields.partition_point(|field| base.saturating_add(field.byte) < bytes);
@@ -161,7 +164,8 @@ impl<O: Observer> Walker<'_, O> {
             return Err(SUBSCRIPT);
         }
         let Some(element) = destination.span.element else { return Ok(input) };
-        for number in 0..length {
+        // Admission: no more elements than bytes of a COP.
+        for number in 0..length.min(limits::COPY_BYTES) {
             let (_, word) = destination.cells(number);
             self.store_value(Location::Word(word, element), value);
         }

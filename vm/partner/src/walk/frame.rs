@@ -1,8 +1,9 @@
 //! A body at work, and what follows when it ends.
 
+use twinrung_bytecode::observer::ElementUpset;
 use twinrung_catalog::Opcode;
 
-use crate::ladder::BodyIndex;
+use crate::ladder::{BodyIndex, NONE};
 use crate::state::Flags;
 
 /// How a body's rungs are taken.
@@ -58,12 +59,32 @@ pub(crate) struct Frame {
     pub(crate) link: Link,
     /// Bound arguments of the call that runs this body begin here.
     pub(crate) bound: u32,
+    /// How the instruction at work is upset.
+    pub(crate) upset: ElementUpset,
+    /// Whether it is being repeated.
+    pub(crate) repeating: bool,
+    /// The step of a rung that is to be repeated; [`NONE`] where none is.
+    pub(crate) again: u32,
 }
 
 impl Frame {
     /// A body from its beginning.
     pub(crate) const fn new(body: BodyIndex, begin: u32, mode: Mode, link: Link, bound: u32) -> Frame {
-        Frame { body, next: begin, rung: 0, rail: false, before: 0, legs: 0, dead: 0, mode, link, bound }
+        Frame {
+            body,
+            next: begin,
+            rung: 0,
+            rail: false,
+            before: 0,
+            legs: 0,
+            dead: 0,
+            mode,
+            link,
+            bound,
+            upset: ElementUpset::None,
+            repeating: false,
+            again: NONE,
+        }
     }
 
     /// Begins a rung.

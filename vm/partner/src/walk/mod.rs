@@ -15,6 +15,7 @@ mod math;
 mod path;
 mod prescan;
 mod system;
+mod upset;
 pub(crate) mod value;
 
 use twinrung_bytecode::channel::{MajorFault, Place, ScanEnd, ScanInputs};
@@ -47,6 +48,10 @@ pub(crate) struct Walker<'a, O> {
     pending: Option<MajorFault>,
     /// Whether this is a prescan.
     prescanning: bool,
+    /// Bodies that elements have begun.
+    begun: u64,
+    /// Of them, within the safety application instruction at work.
+    begun_in_library: u64,
 }
 
 /// What a step does to the walk.
@@ -68,7 +73,18 @@ impl<'a, O: Observer> Walker<'a, O> {
         inputs: ScanInputs<'a>,
     ) -> Walker<'a, O> {
         let frame = Frame::new(BodyIndex(0), 0, Mode::Normal, Link::Program, 0);
-        Walker { ladder, state, observer, inputs, program: ProgramIndex(0), frame, pending: None, prescanning: false }
+        Walker {
+            ladder,
+            state,
+            observer,
+            inputs,
+            program: ProgramIndex(0),
+            frame,
+            pending: None,
+            prescanning: false,
+            begun: 0,
+            begun_in_library: 0,
+        }
     }
 
     /// One execution of the safety task.
@@ -124,60 +140,58 @@ impl<'a, O: Observer> Walker<'a, O> {
     fn step(&mut self) -> Flow {
         let step = self.ladder.step(self.frame.next);
         self.frame.next = self.frame.next.wrapping_add(1);
-        let result = match step.code {
+        match step.code {
             Code::Region => {
                 if !O::ACTIVE
                     && self.frame.mode == Mode::Normal
-                    && let Some(next) = self.region(step.first)
+                    && let Some(end) = self.region(step.first)
                 {
-                    self.frame.next = next;
+                    // Never back, even where the region is damaged.
+                    self.frame.next = self.frame.next.max(end);
                 }
-                return Flow::On;
             }
-            Code::Rung => {
-                self.begin_rung(step.first);
-                return Flow::On;
-            }
-            Code::Branch => {
-                self.frame.branch();
-                return Flow::On;
-            }
-            Code::NextLeg => {
-                self.frame.next_leg();
-                return Flow::On;
-            }
-            Code::EndBranch => {
-                self.frame.end_branch();
-                return Flow::On;
-            }
+            Code::Rung if O::ACTIVE && self.goes_back() => {}
+            Code::End if O::ACTIVE && self.goes_back() => {}
+            Code::Rung => self.begin_rung(step.first),
+            Code::Branch => self.frame.branch(),
+            Code::NextLeg => self.frame.next_leg(),
+            Code::EndBranch => self.frame.end_branch(),
             Code::End => {
                 self.follow(Event::Ends, step.first);
                 return self.leave();
             }
-            Code::Instruction(opcode) => {
-                self.count(1);
-                if self.frame.mode == Mode::Prescan {
-                    self.prescan_instruction(step, opcode)
-                } else if is_control(opcode) {
-                    return self.control(step, opcode);
-                } else {
-                    let input = self.frame.rail;
-                    self.instruction(step, opcode, input).map(|output| {
-                        self.report(step, input, output);
-                        self.frame.rail = output;
-                    })
-                }
-            }
-            Code::AddOn => {
-                self.count(1);
-                self.add_on(step)
-            }
-            Code::Safety => {
-                self.count(1);
-                self.safety(step)
-            }
+            Code::Instruction(_) | Code::AddOn | Code::Safety => return self.element(step),
+        }
+        Flow::On
+    }
+
+    fn element(&mut self, step: Step) -> Flow {
+        if !O::ACTIVE {
+            self.count(1);
+        } else if !self.upset_element(step) {
+            return Flow::On;
+        }
+        let result = match step.code {
+            Code::AddOn => self.add_on(step),
+            Code::Safety => self.safety(step),
+            Code::Instruction(opcode) if self.frame.mode == Mode::Prescan => self.prescan_instruction(step, opcode),
+            Code::Instruction(opcode) if is_control(opcode) => return self.control(step, opcode),
+            Code::Instruction(opcode) => self.computes_on_its_rung(step, opcode),
+            _ => Ok(()),
         };
         self.after(result)
+    }
+
+    fn computes_on_its_rung(&mut self, step: Step, opcode: Opcode) -> Result<(), Fault> {
+        let input = self.frame.rail;
+        let mut output = self.instruction(step, opcode, input)?;
+        if self.repeats() {
+            output = self.instruction(step, opcode, input)?;
+        }
+        let output = self.behind(output);
+        self.report(step, input, output);
+        self.frame.rail = output;
+        Ok(())
     }
 
     /// The next step, or what a fault leads to.
@@ -192,9 +206,8 @@ impl<'a, O: Observer> Walker<'a, O> {
         let body = self.ladder.bodies.get(self.frame.body.0 as usize);
         let free = body.is_some_and(|body| body.add_on) || !self.state.memory.bit(self.ladder.own.override_bit);
         self.frame.begin_rung(number, free && self.frame.mode == Mode::Normal);
-        if O::ACTIVE && !self.state.in_library {
-            let place = Place { element: 0, ..self.place() };
-            self.observer.rung_entered(place);
+        if O::ACTIVE {
+            self.upset_rung();
         }
     }
 
@@ -342,17 +355,19 @@ impl<'a, O: Observer> Walker<'a, O> {
         }
     }
 
-    fn write_bit_cell(&mut self, cell: u32, value: bool) {
-        self.state.memory.set_bit(cell, value);
+    fn write_bit_cell(&mut self, cell: u32, mut value: bool) {
         if O::ACTIVE && (cell as usize) < self.state.memory.image_bits {
+            value = self.observer.bit_arrives(BitCell(cell), value);
             self.observer.bit_written(BitCell(cell), value);
         }
+        self.state.memory.set_bit(cell, value);
     }
 
-    fn write_word_cell(&mut self, cell: u32, value: i32) {
-        self.state.memory.set_word(cell, value);
+    fn write_word_cell(&mut self, cell: u32, mut value: i32) {
         if O::ACTIVE && (cell as usize) < self.state.memory.image_words {
+            value = self.observer.word_arrives(WordCell(cell), value);
             self.observer.word_written(WordCell(cell), value);
         }
+        self.state.memory.set_word(cell, value);
     }
 }

@@ -1,5 +1,6 @@
 //! GSV, SSV and EVENT. general-instructions.md A.8, A.10; REQ-EXEC-019.
 
+use twinrung_bytecode::limits;
 use twinrung_bytecode::observer::Observer;
 
 use super::Walker;
@@ -41,7 +42,7 @@ impl<O: Observer> Walker<'_, O> {
         if let Some((value, data, bytes)) = self.system_data(arguments)? {
             // What lies beyond the value in its last field stays as it is gathered.
             self.gather(&data, bytes);
-            for number in 0..value.length {
+            for number in 0..value.length.min(limits::COPY_BYTES) {
                 let word = self.system_word(&value, number);
                 self.hold_word(number.saturating_mul(value.width), value.width, word);
             }

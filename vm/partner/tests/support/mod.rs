@@ -1,6 +1,8 @@
 //! Text in, a loaded partner out; tags by their names.
 #![allow(dead_code)]
 
+pub mod random;
+
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs, Status};
 use twinrung_bytecode::image::{Image, TypeReference};
