@@ -5,6 +5,7 @@ mod bench_command;
 mod bench_mixes;
 mod bound;
 mod certified_set;
+mod channel_bits;
 mod checklists;
 mod command;
 mod corpus;
