@@ -1,7 +1,12 @@
 //! Makes the parsers out of the `.lalrpop` grammars.
 
 /// Every grammar of the crate.
-const GRAMMARS: &[&str] = &["src/reading/operand.lalrpop", "src/text/declaration.lalrpop", "src/text/rung.lalrpop"];
+const GRAMMARS: &[&str] = &[
+    "src/reading/operand.lalrpop",
+    "src/scenario/scenario.lalrpop",
+    "src/text/declaration.lalrpop",
+    "src/text/rung.lalrpop",
+];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo:rerun-if-changed=build.rs");

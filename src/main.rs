@@ -9,6 +9,7 @@ mod input;
 mod progress;
 mod terminal;
 mod verb;
+mod watch;
 
 use std::io;
 use std::process::ExitCode;
@@ -41,6 +42,8 @@ enum Verb {
     Build(verb::build::Build),
     /// Run scans on both interpreters and record what happened
     Run(verb::run::Run),
+    /// Test a project with scenarios on both interpreters, and say what they cover
+    Test(verb::test::Test),
     /// Measure the scan time against period and watchdog
     Bench(verb::bench::Bench),
     /// Run random programs on both interpreters until they differ
@@ -63,6 +66,7 @@ fn main() -> ExitCode {
         Verb::Checklist(arguments) => verb::checklist::run(&arguments),
         Verb::Build(arguments) => verb::build::run(&arguments),
         Verb::Run(arguments) => verb::run::run(&arguments),
+        Verb::Test(arguments) => verb::test::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
         Verb::Reaction(arguments) => verb::reaction::run(&arguments),

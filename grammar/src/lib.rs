@@ -1,4 +1,4 @@
-//! Text to tree and back: Rockwell neutral text, `.rll`, L5K and L5X.
+//! Text to tree and back: Rockwell neutral text, `.rll`, L5K and L5X; and scenario files.
 //!
 //! It may depend on lexer, parser and XML libraries only. It must never know an instruction, a type
 //! or a rule: a rung is mnemonics with operands, and an operand is a run of atoms until the compiler
@@ -14,6 +14,7 @@ pub mod limits;
 mod print;
 mod read;
 mod reading;
+mod scenario;
 mod text;
 pub mod tree;
 mod xml;
@@ -23,3 +24,4 @@ pub use print::{
 };
 pub use read::{Reading, read, read_path};
 pub use reading::{read_expression, read_immediate, read_number, read_tag, read_words, unescape};
+pub use scenario::{ScenarioReading, laid_out, read_scenarios};

@@ -1,4 +1,4 @@
-//! `twinrung fmt`: the canonical form of `.rll`.
+//! `twinrung fmt`: the canonical form of `.rll`, and the layout of `.scenario`.
 
 use std::fs;
 use std::io::{self, Write};
@@ -7,18 +7,18 @@ use std::process::ExitCode;
 
 use clap::Args;
 use twinrung_grammar::tree::Sources;
-use twinrung_grammar::{Unprintable, print_file_checked, read_path};
+use twinrung_grammar::{Unprintable, laid_out, print_file_checked, read_path};
 
 use crate::findings;
 use crate::terminal::{self, Terminal};
-use crate::{failed, files};
+use crate::{failed, files, input};
 
 /// Arguments of `fmt`.
 #[derive(Debug, Args)]
-#[command(after_help = "A .rll file is rewritten in place; an export (.L5K, .L5X) is printed as .rll.\n\
+#[command(after_help = "A .rll or .scenario file is rewritten in place; an export (.L5K, .L5X) is printed as .rll.\n\
 Exit code: 0 done (with --check: already canonical), 1 --check found another form, 2 could not read.")]
 pub struct Fmt {
-    /// A .rll file or a folder of them, rewritten; or an export, printed
+    /// A .rll or .scenario file or a folder of them, rewritten; or an export, printed
     file: PathBuf,
     /// Rewrite nothing; say whether something would change
     #[arg(long)]
@@ -29,7 +29,12 @@ pub struct Fmt {
 pub fn run(arguments: &Fmt) -> io::Result<ExitCode> {
     let mut changed = false;
     for path in rll_files(&arguments.file)? {
-        changed |= format_one(&path, arguments.check)?;
+        changed |= if has_ending(&path, "scenario") {
+            let before = input::text(&path)?;
+            written(&path, &before, &laid_out(&before), arguments.check)?
+        } else {
+            format_one(&path, arguments.check)?
+        };
     }
     Ok(ExitCode::from(u8::from(arguments.check && changed)))
 }
@@ -41,7 +46,7 @@ fn rll_files(path: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files: Vec<PathBuf> = Vec::new();
     for entry in fs::read_dir(path)? {
         let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll")) {
+        if has_ending(&path, "rll") || has_ending(&path, "scenario") {
             files.push(path);
         }
     }
@@ -62,12 +67,16 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
     }
     let unprintable = |why| failed(NotWritable { path: path.display().to_string(), why });
     let after = print_file_checked(&reading.file).map_err(unprintable)?;
-    let is_rll = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("rll"));
-    if !is_rll {
+    if !has_ending(path, "rll") {
         terminal::out().write_all(after.as_bytes())?;
         return Ok(false);
     }
-    let changed = after.as_bytes() != before;
+    written(path, &String::from_utf8_lossy(&before), &after, check)
+}
+
+/// Writes the canonical text where it differs, or says that it does; whether it does.
+fn written(path: &Path, before: &str, after: &str, check: bool) -> io::Result<bool> {
+    let changed = after != before;
     if changed && check {
         writeln!(terminal::out(), "{}: not in canonical form", path.display())?;
     } else if changed {
@@ -75,6 +84,10 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
         writeln!(terminal::out(), "{}: rewritten", path.display())?;
     }
     Ok(changed)
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }
 
 /// A file that cannot be read is left as it is.

@@ -11,3 +11,4 @@ pub mod fuzz;
 pub mod reaction;
 pub mod run;
 pub mod show;
+pub mod test;

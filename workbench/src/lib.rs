@@ -9,6 +9,7 @@
 pub mod bench;
 pub mod cells;
 pub mod checklist;
+pub mod coverage;
 pub mod diagram;
 pub mod difference;
 pub mod drive;
@@ -22,6 +23,7 @@ pub mod pages;
 pub mod reaction;
 pub mod recording;
 pub mod run;
+pub mod scenario;
 pub mod signal;
 pub mod stimulus;
 pub mod threads;

@@ -153,6 +153,31 @@ codes! {
         "An Add-On Instruction has a routine Logic in ladder, parameters Input, Output or InOut, and nothing of another class than its own.",
         "neutral-text-and-l5x.md D.8";
 
+    /// A scenario file of the wrong shape.
+    BROKEN_SCENARIO = "E0501", "a scenario cannot be understood",
+        "A statement of a scenario file has a shape that docs/scenarios.md does not know. Each begins with its own word: given, at, after, when, hold, toggle, mode, then, never.",
+        "docs/scenarios.md";
+    /// A name of a scenario that is none, or that it may not drive.
+    SCENARIO_NAME = "E0502", "a scenario names what is not there",
+        "A name is a safety tag, a member, an element or a bit of one, Published:TAG, Controller:Mode or Controller:Fault. A scenario drives only what no logic writes, and looks at everything.",
+        "docs/scenarios.md";
+    /// A value that its tag cannot have.
+    SCENARIO_VALUE = "E0503", "a value does not fit its tag",
+        "A BOOL is on or off (1 or 0); an integer is decimal or 2#, 8#, 16# within its range; a REAL is decimal. Only a REAL has a tolerance.",
+        "docs/scenarios.md";
+    /// A time that the grid of the scans does not have.
+    SCENARIO_TIME = "E0504", "a time of a scenario cannot be met",
+        "Times are whole milliseconds, moments of a block follow each other, and a check needs at least one scan to look at: between a moment and the end of its time a scan must begin.",
+        "docs/scenarios.md";
+    /// A block that does not exist, or twice, or within itself.
+    SCENARIO_BLOCK = "E0505", "a scenario or setup is not in order",
+        "Scenarios and setups have names of their own; `with` names a setup of the same file and stands first in its block; a setup does not begin with itself.",
+        "docs/scenarios.md";
+    /// An exclusion of what does not exist.
+    SCENARIO_EXCLUSION = "E0506", "an exclusion names nothing",
+        "An exclusion names an item of the coverage as the report lists it, and gives a reason.",
+        "docs/scenarios.md";
+
     /// A suppression that is not admitted.
     BAD_SUPPRESSION = "E0411", "a suppression is not admitted",
         "A suppression accepts a warning and says why: `allow W0101: the last coil is meant to decide`. It stands in a comment of the source, in a rung comment or in a description, and covers the rung or declaration there. It needs the code of a warning and a reason; an error is mended, not suppressed.",

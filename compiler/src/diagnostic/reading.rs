@@ -3,8 +3,8 @@
 use twinrung_grammar::tree::{ErrorKind, ReadError};
 
 use super::{
-    AMBIGUOUS_RELATION, BROKEN_DATA, BROKEN_DECLARATION, BROKEN_FILE, BROKEN_OPERAND, BROKEN_RUNG, Code, Finding,
-    OVER_LIMIT, UNREADABLE_FILE,
+    AMBIGUOUS_RELATION, BROKEN_DATA, BROKEN_DECLARATION, BROKEN_FILE, BROKEN_OPERAND, BROKEN_RUNG, BROKEN_SCENARIO,
+    Code, Finding, OVER_LIMIT, UNREADABLE_FILE,
 };
 
 /// The finding that reports an error of the grammar.
@@ -22,6 +22,7 @@ fn code(kind: ErrorKind) -> &'static Code {
         ErrorKind::MalformedXml | ErrorKind::NotL5x => &BROKEN_FILE,
         ErrorKind::TooLarge | ErrorKind::TooDeep | ErrorKind::TooMany => &OVER_LIMIT,
         ErrorKind::MalformedRung | ErrorKind::UnknownRungKind => &BROKEN_RUNG,
+        ErrorKind::MalformedScenario => &BROKEN_SCENARIO,
         ErrorKind::MalformedTagReference
         | ErrorKind::MalformedExpression
         | ErrorKind::MalformedWords

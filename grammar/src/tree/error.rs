@@ -44,6 +44,8 @@ error_kinds! {
     MalformedDeclaration => "malformed-declaration",
     /// A rung whose text is not of the expected shape.
     MalformedRung => "malformed-rung",
+    /// A statement of a scenario file whose text is not of the expected shape.
+    MalformedScenario => "malformed-scenario",
     /// A rung kind that does not exist.
     UnknownRungKind => "unknown-rung-kind",
     /// An operand that should be a tag reference and is not one.

@@ -18,6 +18,7 @@ mod module;
 mod operand;
 mod program;
 mod rung;
+pub mod scenario;
 mod source;
 mod tag;
 mod task;

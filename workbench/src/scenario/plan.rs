@@ -1,0 +1,145 @@
+//! From a scenario file to scenarios that can be played: blocks put in front of each other, names, values and times looked up.
+
+use twinrung_bytecode::AdmittedImage;
+use twinrung_compiler::diagnostic::{Finding, SCENARIO_BLOCK, SCENARIO_TIME, SCENARIO_VALUE};
+use twinrung_grammar::tree::scenario::{Block, BlockKind, Literal, Never, ScenarioFile, ScenarioItem};
+use twinrung_grammar::tree::{Span, Text};
+
+use super::blocks::{Blocks, Expansion};
+use super::value::Check;
+use super::{Expectation, Expected, Scenario};
+
+/// What a scenario file asks for.
+#[derive(Debug, Default)]
+pub struct Plan {
+    /// The scenarios in order.
+    pub scenarios: Vec<Scenario>,
+    /// Coverage in percent that is the least accepted.
+    pub minimum: Option<u8>,
+    /// What need not be covered.
+    pub exclusions: Vec<Exclusion>,
+}
+
+/// What need not be covered, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Exclusion {
+    /// The item as the report names it.
+    pub item: String,
+    /// Why.
+    pub reason: String,
+    /// Where the item is named.
+    pub span: Span,
+}
+
+/// Looks a scenario file up in the image that it tests. What is wrong is among the findings, and left out of the plan.
+pub fn plan(image: &AdmittedImage, file: &ScenarioFile) -> (Plan, Vec<Finding>) {
+    let mut findings = Vec::new();
+    let mut plan = Plan::default();
+    let blocks = Blocks::new(file, &mut findings);
+    let mut everywhere: Vec<&Never> = Vec::new();
+    for item in &file.items {
+        match item {
+            ScenarioItem::Minimum(literal) => minimum(&mut plan, literal, &mut findings),
+            ScenarioItem::Never(never) => everywhere.push(never),
+            ScenarioItem::Exclude { item, reason } => exclude(&mut plan, item, reason, &mut findings),
+            ScenarioItem::Project(_) | ScenarioItem::Block(_) => {}
+        }
+    }
+    for block in blocks.all().filter(|block| block.kind == BlockKind::Scenario) {
+        if let Some(scenario) = scenario(image, &blocks, block, &everywhere, &mut findings) {
+            plan.scenarios.push(scenario);
+        }
+    }
+    findings.sort_by_key(|finding| (finding.span.start, finding.span.end));
+    findings.dedup();
+    (plan, findings)
+}
+
+fn minimum(plan: &mut Plan, literal: &Literal, findings: &mut Vec<Finding>) {
+    match literal.text.parse().ok().filter(|percent: &u8| *percent <= 100) {
+        Some(_) if plan.minimum.is_some() => {
+            findings.push(Finding::new(&SCENARIO_BLOCK, literal.span, "the minimum of the coverage is given twice"));
+        }
+        Some(percent) => plan.minimum = Some(percent),
+        None => findings.push(
+            Finding::new(&SCENARIO_VALUE, literal.span, format!("`{}` is no percentage", literal.text))
+                .help("write a whole number from 0 to 100"),
+        ),
+    }
+}
+
+fn exclude(plan: &mut Plan, item: &Text, reason: &Text, findings: &mut Vec<Finding>) {
+    if reason.as_str().trim().is_empty() {
+        let message = "an exclusion needs a reason that a reviewer can judge";
+        findings.push(Finding::new(&twinrung_compiler::diagnostic::SCENARIO_EXCLUSION, reason.span, message));
+    }
+    let exclusion = Exclusion { item: item.as_str().to_owned(), reason: reason.as_str().to_owned(), span: item.span };
+    plan.exclusions.push(exclusion);
+}
+
+fn scenario(
+    image: &AdmittedImage,
+    blocks: &Blocks<'_>,
+    block: &Block,
+    everywhere: &[&Never],
+    findings: &mut Vec<Finding>,
+) -> Option<Scenario> {
+    let before = findings.len();
+    let mut expansion = Expansion::new(image, blocks, findings);
+    expansion.block(block);
+    let Expansion { power_up, mut actions, mut expectations, end_ms, acts_until_ms, .. } = expansion;
+    let end_ms = end_ms.max(acts_until_ms);
+    for never in everywhere {
+        match nevers(image, never) {
+            Ok(kind) => expectations.push(Expectation {
+                text: never_text(never),
+                span: never.span,
+                from_ms: 0,
+                until_ms: u64::MAX,
+                kind,
+            }),
+            Err(finding) => findings.push(finding),
+        }
+    }
+    if expectations.is_empty() && findings.len() == before {
+        let message = format!("the scenario `{}` expects nothing", block.name.as_str());
+        findings.push(
+            Finding::new(&SCENARIO_BLOCK, block.name.span, message).help("say what must happen with `then` or `never`"),
+        );
+    }
+    if findings.len() > before {
+        return None;
+    }
+    // What is written later wins where two act at once: the order within a moment stays.
+    actions.sort_by_key(|action| action.at_ms);
+    for expectation in &mut expectations {
+        expectation.until_ms = expectation.until_ms.min(end_ms);
+    }
+    Some(Scenario {
+        name: block.name.as_str().to_owned(),
+        span: block.name.span,
+        power_up,
+        actions,
+        expectations,
+        end_ms,
+    })
+}
+
+/// `never` with names and values looked up.
+pub(super) fn nevers(image: &AdmittedImage, never: &Never) -> Result<Expected, Finding> {
+    never.conditions.iter().map(|condition| Check::new(image, condition)).collect::<Result<_, _>>().map(Expected::Never)
+}
+
+/// `never` as a report names it.
+pub(super) fn never_text(never: &Never) -> String {
+    let conditions: Vec<String> = never.conditions.iter().map(super::blocks::condition_text).collect();
+    format!("never {}", conditions.join(" and "))
+}
+
+/// A time that no scan has.
+pub(super) fn no_scan(span: Span, from_ms: u64, until_ms: u64, period_ms: u64) -> Finding {
+    let next = from_ms.div_ceil(period_ms) * period_ms;
+    let message = format!("no scan begins from {from_ms} to {until_ms} ms: the next one begins at {next} ms");
+    Finding::new(&SCENARIO_TIME, span, message)
+        .help(format!("give it at least {} ms; one scan begins every {period_ms} ms", next - from_ms))
+}
