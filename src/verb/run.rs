@@ -10,7 +10,7 @@ use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::{Channel, MajorFault, Place};
 use twinrung_bytecode::image::Image;
 use twinrung_bytecode::signature::short_form;
-use twinrung_controller::{SafetyFault, StopReason};
+use twinrung_controller::StopReason;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::diagram::{self, Style};
@@ -177,15 +177,7 @@ fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: D
 
 fn explained(image: &AdmittedImage, reason: StopReason) -> String {
     match reason {
-        StopReason::Safety(SafetyFault::Difference(found)) => difference::words(image, found),
-        StopReason::Safety(SafetyFault::WatchdogExpired) => "the watchdog expired".to_owned(),
-        StopReason::Safety(SafetyFault::BudgetExceeded) => {
-            "the scan executed more instructions than its watchdog allows".to_owned()
-        }
-        StopReason::Safety(SafetyFault::ImageCorrupted) => {
-            "the image in memory is not the one that was admitted".to_owned()
-        }
-        StopReason::Safety(SafetyFault::ChannelStopped) => "a channel did not come to the end of its scan".to_owned(),
+        StopReason::Safety(fault) => difference::fault_words(image, fault),
         StopReason::Recoverable(MajorFault { code, place }) => {
             format!("major fault 4/{code} at {}", place_words(image.image(), place))
         }

@@ -2,10 +2,30 @@
 
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::index::TagIndex;
-use twinrung_controller::Difference;
+use twinrung_controller::{Difference, SafetyFault, TimeFault};
 
 use crate::names;
 use crate::signal::Signal;
+
+/// Why a task was stopped for good.
+pub fn fault_words(image: &AdmittedImage, fault: SafetyFault) -> String {
+    let words = match fault {
+        SafetyFault::Difference(found) => return words(image, found),
+        SafetyFault::WatchdogExpired => "the watchdog expired",
+        SafetyFault::BudgetExceeded => "the scan executed more instructions than its watchdog allows",
+        SafetyFault::ImageCorrupted => "the image in memory is not the one that was admitted",
+        SafetyFault::ChannelStopped => "a channel did not come to the end of its scan",
+        SafetyFault::SecondComparison => "the second comparison found a difference that the first did not find",
+        SafetyFault::NothingExecuted => "a channel executed nothing in this scan",
+        SafetyFault::VerdictIncomplete => "the verdict is not the one that a finished comparison gives",
+        SafetyFault::OutputsDiffer => "the outputs that were taken over from the channels differ",
+        SafetyFault::ControllerCorrupted => "what the controller holds twice differs",
+        SafetyFault::Time(TimeFault::Backwards) => "time ran backwards",
+        SafetyFault::Time(TimeFault::Fast) => "time went on faster than a second source of it",
+        SafetyFault::Time(TimeFault::Slow) => "time went on slower than a second source of it, or stood",
+    };
+    words.to_owned()
+}
 
 /// What the channels differ in.
 pub fn words(image: &AdmittedImage, difference: Difference) -> String {

@@ -5,7 +5,8 @@ use std::fmt;
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::index::TagIndex;
-use twinrung_controller::{Controller, StopReason};
+use twinrung_bytecode::observer::Silent;
+use twinrung_controller::{Controller, Simulated, StopReason};
 
 use crate::drive::{Drive, cells};
 use crate::names;
@@ -75,6 +76,7 @@ pub struct Outcome {
 pub struct Run<A: Channel, B: Channel> {
     controller: Controller<A, B>,
     drive: Drive,
+    clock: Simulated,
     signals: Vec<Signal>,
     recording: Recording,
     period_ms: u64,
@@ -93,6 +95,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
         Ok(Run {
             controller,
             drive: Drive::default(),
+            clock: Simulated::new(i64::from(period_us / 1000)),
             signals: Vec::new(),
             recording: Recording::default(),
             period_ms: u64::from(period_us / 1000),
@@ -141,7 +144,7 @@ impl<A: Channel, B: Channel> Run<A, B> {
         let mut time_ms = self.outcome.scans.saturating_mul(self.period_ms);
         while time_ms <= until_ms {
             self.drive.until(&mut self.controller, time_ms);
-            let report = self.controller.scan(time_ms as i64);
+            let report = self.controller.scan_observed(time_ms as i64, &mut self.clock, &mut Silent, &mut Silent);
             if let (Some(reason), None) = (report.stopped, self.outcome.stopped) {
                 self.outcome.stopped = Some((self.outcome.scans, time_ms, reason));
             }

@@ -121,8 +121,34 @@ pub struct BitVisitor {
 }
 
 impl BitVisitor {
-    const fn new(wanted: Option<u64>, turn: bool) -> BitVisitor {
-        BitVisitor { wanted, turn, passed: 0, found: None }
+    /// Counts.
+    pub const fn count() -> BitVisitor {
+        BitVisitor { wanted: None, turn: false, passed: 0, found: None }
+    }
+
+    /// Reads a bit.
+    pub const fn read(bit: u64) -> BitVisitor {
+        BitVisitor { wanted: Some(bit), turn: false, passed: 0, found: None }
+    }
+
+    /// Turns a bit round.
+    pub const fn turn(bit: u64) -> BitVisitor {
+        BitVisitor { wanted: Some(bit), turn: true, passed: 0, found: None }
+    }
+
+    /// Bits of the fields that were visited.
+    pub const fn passed(&self) -> u64 {
+        self.passed
+    }
+
+    /// The value that the bit had; `None` where no field had it.
+    pub fn value(&self) -> Option<bool> {
+        self.found.map(|(value, _)| value)
+    }
+
+    /// What became of the bit.
+    pub fn outcome(&self) -> Flip {
+        self.found.map_or(Flip::OutOfRange, |(_, flip)| flip)
     }
 
     /// A field.
@@ -174,23 +200,23 @@ pub trait Injectable: Channel + Clone {
 
     /// The size of a memory in bits.
     fn memory_bits(&mut self, memory: Memory) -> u64 {
-        let mut visitor = BitVisitor::new(None, false);
+        let mut visitor = BitVisitor::count();
         self.visit_bits(memory, &mut visitor);
         visitor.passed
     }
 
     /// The value of a bit; `None` where the memory has no such bit.
     fn read_bit(&mut self, memory: Memory, bit: u64) -> Option<bool> {
-        let mut visitor = BitVisitor::new(Some(bit), false);
+        let mut visitor = BitVisitor::read(bit);
         self.visit_bits(memory, &mut visitor);
-        visitor.found.map(|(value, _)| value)
+        visitor.value()
     }
 
     /// Turns a bit round.
     fn flip_bit(&mut self, memory: Memory, bit: u64) -> Flip {
-        let mut visitor = BitVisitor::new(Some(bit), true);
+        let mut visitor = BitVisitor::turn(bit);
         self.visit_bits(memory, &mut visitor);
-        visitor.found.map_or(Flip::OutOfRange, |(_, flip)| flip)
+        visitor.outcome()
     }
 
     /// Gives a bit a value: a bit that is stuck gets it before every execution.
@@ -207,18 +233,17 @@ pub trait Injectable: Channel + Clone {
 mod tests {
     use super::*;
 
-    fn visited(fields: &mut (Vec3, u8), wanted: Option<u64>, turn: bool) -> BitVisitor {
-        let mut visitor = BitVisitor::new(wanted, turn);
+    type Fields = ([i32; 3], u8);
+
+    fn visited(fields: &mut Fields, mut visitor: BitVisitor) -> BitVisitor {
         visitor.fields(&mut fields.0);
         visitor.field(&mut fields.1);
         visitor
     }
 
-    type Vec3 = [i32; 3];
-
     #[test]
     fn bits_when_counted_then_every_field_counts_once() {
-        assert_eq!(visited(&mut ([0; 3], 0), None, false).passed, 3 * 32 + 8);
+        assert_eq!(visited(&mut ([0; 3], 0), BitVisitor::count()).passed(), 3 * 32 + 8);
     }
 
     /// Two bits, of which the second cannot be turned round.
@@ -258,21 +283,21 @@ mod tests {
     #[test]
     fn bit_when_flipped_then_it_alone_has_changed() {
         let mut fields = ([0; 3], 0);
-        assert_eq!(visited(&mut fields, Some(32 + 31), true).found, Some((false, Flip::Done)));
+        assert_eq!(visited(&mut fields, BitVisitor::turn(32 + 31)).outcome(), Flip::Done);
         assert_eq!(fields, ([0, i32::MIN, 0], 0));
-        assert_eq!(visited(&mut fields, Some(3 * 32 + 7), true).found, Some((false, Flip::Done)));
+        assert_eq!(visited(&mut fields, BitVisitor::turn(3 * 32 + 7)).outcome(), Flip::Done);
         assert_eq!(fields, ([0, i32::MIN, 0], 0x80));
     }
 
     #[test]
     fn bit_when_read_then_nothing_has_changed() {
         let mut fields = ([0, 1, 0], 0);
-        assert_eq!(visited(&mut fields, Some(32), false).found, Some((true, Flip::Done)));
+        assert_eq!(visited(&mut fields, BitVisitor::read(32)).value(), Some(true));
         assert_eq!(fields, ([0, 1, 0], 0));
     }
 
     #[test]
     fn bit_when_behind_the_last_then_there_is_none() {
-        assert_eq!(visited(&mut ([0; 3], 0), Some(3 * 32 + 8), true).found, None);
+        assert_eq!(visited(&mut ([0; 3], 0), BitVisitor::turn(3 * 32 + 8)).outcome(), Flip::OutOfRange);
     }
 }

@@ -33,6 +33,14 @@ pub(crate) const fn mask(representation: Representation) -> u32 {
     }
 }
 
+/// What the first comparison found.
+pub(crate) struct Compared {
+    /// What is wrong, as bits; 0 where both channels hold and say the same.
+    pub(crate) remainder: u64,
+    /// Where they differ first.
+    pub(crate) difference: Option<Difference>,
+}
+
 /// Compares two channels after an execution that ended as `ends` say; nothing where they hold and say the same.
 pub fn compare<A: Channel, B: Channel>(
     image: &Image,
@@ -40,7 +48,56 @@ pub fn compare<A: Channel, B: Channel>(
     partner: &B,
     ends: (ScanEnd, ScanEnd),
 ) -> Option<Difference> {
-    cells(primary, partner)
+    compared(image, primary, partner, ends).difference
+}
+
+/// As [`compare`], with a number that is 0 only where nothing differs.
+pub(crate) fn compared<A: Channel, B: Channel>(
+    image: &Image,
+    primary: &A,
+    partner: &B,
+    ends: (ScanEnd, ScanEnd),
+) -> Compared {
+    let mask = mask(A::REPRESENTATION) ^ mask(B::REPRESENTATION);
+    let cells = sum((primary.bits(), partner.bits()), (primary.words(), partner.words()), mask);
+    let size = primary.bits().len() != partner.bits().len() || primary.words().len() != partner.words().len();
+    let others = [
+        size,
+        ends.0 != ends.1,
+        primary.status() != partner.status(),
+        path(primary, partner, ends).is_some(),
+        events(image, primary, partner).is_some(),
+        records(image, primary, partner).is_some(),
+    ];
+    let remainder = others.into_iter().zip(OTHERS..).fold(cells, |sum, (differs, bit)| sum | u64::from(differs) << bit);
+    let difference = if remainder == 0 { None } else { first_difference(image, primary, partner, ends) };
+    Compared { remainder, difference }
+}
+
+/// The first bit in a remainder that is not one of cells.
+const OTHERS: u32 = 40;
+
+/// The bits in which bytes (0 to 7) and words (8 to 39) differ. One pass without an exit, so that it runs at memory speed;
+/// the place is only looked for when there is one.
+#[inline(never)]
+pub(crate) fn sum(bits: (&[u8], &[u8]), words: (&[u32], &[u32]), mask: u32) -> u64 {
+    let byte_mask = (mask & 0xFF) as u8;
+    let bit_difference = bits.0.iter().zip(bits.1).fold(0_u8, |sum, (a, b)| sum | (a ^ b ^ byte_mask));
+    let word_difference = words.0.iter().zip(words.1).fold(0_u32, |sum, (a, b)| sum | (a ^ b ^ mask));
+    u64::from(bit_difference) | u64::from(word_difference) << 8
+}
+
+#[cold]
+fn first_difference<A: Channel, B: Channel>(
+    image: &Image,
+    primary: &A,
+    partner: &B,
+    ends: (ScanEnd, ScanEnd),
+) -> Option<Difference> {
+    if primary.bits().len() != partner.bits().len() || primary.words().len() != partner.words().len() {
+        return Some(Difference::Size);
+    }
+    cell(primary, partner)
         .or_else(|| (ends.0 != ends.1).then_some(Difference::End(ends.0, ends.1)))
         .or_else(|| (primary.status() != partner.status()).then_some(Difference::Status))
         .or_else(|| path(primary, partner, ends))
@@ -48,37 +105,14 @@ pub fn compare<A: Channel, B: Channel>(
         .or_else(|| records(image, primary, partner))
 }
 
-fn cells<A: Channel, B: Channel>(primary: &A, partner: &B) -> Option<Difference> {
-    let mask = mask(A::REPRESENTATION) ^ mask(B::REPRESENTATION);
-    let (bits, other_bits) = (primary.bits(), partner.bits());
-    let (words, other_words) = (primary.words(), partner.words());
-    if bits.len() != other_bits.len() || words.len() != other_words.len() {
-        return Some(Difference::Size);
-    }
-    let byte_mask = (mask & 0xFF) as u8;
-    // One pass without an exit, so that it runs at memory speed; the place is only looked for when there is one.
-    let bit_difference = bits.iter().zip(other_bits).fold(0_u8, |sum, (a, b)| sum | (a ^ b ^ byte_mask));
-    let word_difference = words.iter().zip(other_words).fold(0_u32, |sum, (a, b)| sum | (a ^ b ^ mask));
-    if bit_difference == 0 && word_difference == 0 {
-        return None;
-    }
-    first_difference::<A, B>(bits, other_bits, words, other_words)
-}
-
-#[cold]
-fn first_difference<A: Channel, B: Channel>(
-    bits: &[u8],
-    other_bits: &[u8],
-    words: &[u32],
-    other_words: &[u32],
-) -> Option<Difference> {
+fn cell<A: Channel, B: Channel>(primary: &A, partner: &B) -> Option<Difference> {
     let (own, other) = (mask(A::REPRESENTATION), mask(B::REPRESENTATION));
-    let plain_bits = bits.iter().zip(other_bits).map(|(a, b)| (a ^ own as u8, b ^ other as u8));
-    if let Some((cell, (a, b))) = plain_bits.enumerate().find(|(_, (a, b))| a != b) {
+    let bits = primary.bits().iter().zip(partner.bits()).map(|(a, b)| (a ^ own as u8, b ^ other as u8));
+    if let Some((cell, (a, b))) = bits.enumerate().find(|(_, (a, b))| a != b) {
         return Some(Difference::Bit(BitCell(cell as u32), a, b));
     }
-    let plain_words = words.iter().zip(other_words).map(|(a, b)| ((a ^ own) as i32, (b ^ other) as i32));
-    let (cell, (a, b)) = plain_words.enumerate().find(|(_, (a, b))| a != b)?;
+    let words = primary.words().iter().zip(partner.words()).map(|(a, b)| ((a ^ own) as i32, (b ^ other) as i32));
+    let (cell, (a, b)) = words.enumerate().find(|(_, (a, b))| a != b)?;
     Some(Difference::Word(WordCell(cell as u32), a, b))
 }
 

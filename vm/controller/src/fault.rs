@@ -3,6 +3,7 @@
 use twinrung_bytecode::channel::MajorFault;
 
 use crate::compare::Difference;
+use crate::time::TimeFault;
 
 /// A nonrecoverable safety fault: outputs are off, and stay off until a download.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,6 +18,18 @@ pub enum SafetyFault {
     ImageCorrupted,
     /// A channel did not come to the end of an execution: it stopped, or gave no answer in time (14/4).
     ChannelStopped,
+    /// The second comparison found a difference, and the first did not (14/7).
+    SecondComparison,
+    /// A channel has executed nothing in a scan in which it had to (14/7).
+    NothingExecuted,
+    /// A step of the scan was left out, or a verdict is not the one that a finished comparison gives (14/7).
+    VerdictIncomplete,
+    /// The outputs that the halves of the controller took over from their channels differ (14/7).
+    OutputsDiffer,
+    /// What the controller holds twice differs between two scans: published outputs, or whether logic may execute (14/7).
+    ControllerCorrupted,
+    /// The time that the scan was told is not plausible (14/7).
+    Time(TimeFault),
 }
 
 impl SafetyFault {
@@ -25,7 +38,14 @@ impl SafetyFault {
         match self {
             SafetyFault::WatchdogExpired | SafetyFault::BudgetExceeded => (14, 1),
             SafetyFault::ChannelStopped => (14, 4),
-            SafetyFault::Difference(_) | SafetyFault::ImageCorrupted => (14, 7),
+            SafetyFault::Difference(_)
+            | SafetyFault::ImageCorrupted
+            | SafetyFault::SecondComparison
+            | SafetyFault::NothingExecuted
+            | SafetyFault::VerdictIncomplete
+            | SafetyFault::OutputsDiffer
+            | SafetyFault::ControllerCorrupted
+            | SafetyFault::Time(_) => (14, 7),
         }
     }
 }

@@ -38,4 +38,12 @@ impl ImageCheck {
     pub(crate) fn bytes_mut(&mut self) -> &mut [u8] {
         &mut self.bytes
     }
+
+    /// For fault injection: all but the hash in the making, which the library keeps to itself.
+    #[cfg(feature = "injection")]
+    pub(crate) fn visit_bits(&mut self, visitor: &mut twinrung_bytecode::injection::BitVisitor) {
+        visitor.fields(&mut self.bytes);
+        visitor.fields(&mut self.expected);
+        visitor.field(&mut self.next);
+    }
 }

@@ -31,7 +31,7 @@ pub use inputs::{Coverage, Inputs};
 pub use page::page;
 pub use picture::picture;
 pub use report::{Report, RoutineRow, RungRow};
-pub use stopwatch::Stopwatch;
+pub use stopwatch::{Realtime, Stopwatch};
 pub use units::time;
 
 use crate::mix;
@@ -217,7 +217,8 @@ impl<F: FnMut(u64)> Work<'_, F> {
             hash: None,
             clock_ns: stopwatch::reading_ns(),
         };
-        let mut stopwatch = Stopwatch::new(self.watchdog);
+        let period = Duration::from_micros(self.period_us);
+        let mut stopwatch = Stopwatch::new(self.watchdog.map(|watchdog| Realtime { watchdog, period }));
         let begun = Instant::now();
         for scan in 0..plan.warm_up.saturating_add(plan.scans) {
             let time_ms = scan * self.period_us / 1000;

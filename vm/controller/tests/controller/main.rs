@@ -1,0 +1,7 @@
+//! The controller with channels whose behaviour a test chooses.
+
+mod fake;
+#[cfg(feature = "injection")]
+mod halves;
+mod scan;
+mod time;
