@@ -50,6 +50,9 @@ enum Verb {
     Fuzz(verb::fuzz::Fuzz),
     /// Add up the reaction time, and the probability of failure, from each safety input to each safety output
     Reaction(verb::reaction::Reaction),
+    /// Inject faults into a running project and say what found them
+    #[cfg(feature = "injection")]
+    Inject(verb::inject::Inject),
     /// Show an image: signatures, sections, layout, neutral text
     Show(verb::show::Show),
     /// Say what differs between two projects or images
@@ -70,6 +73,8 @@ fn main() -> ExitCode {
         Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
         Verb::Reaction(arguments) => verb::reaction::run(&arguments),
+        #[cfg(feature = "injection")]
+        Verb::Inject(arguments) => verb::inject::run(&arguments),
         Verb::Show(arguments) => verb::show::run(&arguments),
         Verb::Diff(arguments) => verb::diff::run(&arguments),
         Verb::Fmt(arguments) => verb::fmt::run(&arguments),

@@ -8,6 +8,8 @@ pub mod diff;
 pub mod explain;
 pub mod fmt;
 pub mod fuzz;
+#[cfg(feature = "injection")]
+pub mod inject;
 pub mod reaction;
 pub mod run;
 pub mod show;

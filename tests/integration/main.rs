@@ -16,6 +16,8 @@ mod hostile;
 mod house;
 mod idioms;
 mod image_bits;
+#[cfg(feature = "injection")]
+mod inject;
 mod mutations;
 mod options;
 mod pages;

@@ -1,6 +1,7 @@
 //! A stimulus at work: names and values looked up once, and set when their time has come.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use twinrung_bytecode::CellRange;
 use twinrung_bytecode::channel::Channel;
@@ -16,7 +17,8 @@ use crate::stimulus::Stimulus;
 /// What a stimulus does, with names and values looked up.
 #[derive(Debug, Clone, Default)]
 pub struct Drive {
-    rows: Vec<(u64, Vec<Driven>)>,
+    /// Shared by all clones.
+    rows: Arc<[(u64, Vec<Driven>)]>,
     next: usize,
     /// Where the rows count from, in ms.
     origin_ms: u64,
@@ -94,7 +96,7 @@ impl Drive {
         for range in signals.into_iter().filter_map(cells) {
             controller.freeze_also(range);
         }
-        Ok(Drive { rows, ..Drive::default() })
+        Ok(Drive { rows: rows.into(), ..Drive::default() })
     }
 
     /// Begins again with the first row, whose time is counted from `origin_ms` on.
@@ -110,7 +112,8 @@ impl Drive {
 
     /// Sets every row whose time has come.
     pub fn until<A: Channel, B: Channel>(&mut self, controller: &mut Controller<A, B>, time_ms: u64) {
-        while let Some((at, driven)) = self.rows.get(self.next) {
+        let rows = Arc::clone(&self.rows);
+        while let Some((at, driven)) = rows.get(self.next) {
             if self.origin_ms.saturating_add(*at) > time_ms {
                 break;
             }

@@ -15,6 +15,8 @@ pub mod difference;
 pub mod drive;
 pub mod fuzz;
 pub mod generate;
+#[cfg(feature = "injection")]
+pub mod inject;
 pub mod instruction_rungs;
 pub mod ladder;
 pub mod mix;

@@ -1,0 +1,202 @@
+//! `twinrung inject`: faults in a running project, and what found them.
+
+use std::io::{self, IsTerminal, Write};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use twinrung_bytecode::signature::short_form;
+use twinrung_partner::Partner;
+use twinrung_primary::Primary;
+use twinrung_workbench::Stimulus;
+use twinrung_workbench::inject::{Campaign, Class, Fault, Group, Outcome, Plan, Report, Subject, random};
+
+use crate::input::{self, Complete};
+use crate::terminal::{self, tell};
+use crate::{exit, failed};
+
+/// Arguments of `inject`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The project runs with its stimulus, and in each injection one thing goes wrong in one scan. What becomes of it is\n\
+compared with the run in which nothing is wrong:\n\
+  masked    every published output was right as long as the fault was followed\n\
+  latent    the same, and the bit is still wrong in a memory that no execution writes\n\
+  detected  the task stopped, outputs off, and no wrong output was let out before\n\
+  off       outputs were off that should be on, and never the other way\n\
+  let out   an output was on that should be off, or a number was neither right nor 0\n\
+Groups: channel (in one of them), shared (what both share), residual (what a controller alone cannot see: docs/independence.md).\n\
+Exit code: 0 no wrong output let out, 1 wrong outputs let out, 2 unreadable."
+)]
+pub struct Inject {
+    /// The project: .rll, .L5K, .L5X, a folder, or an image
+    #[arg(required_unless_present = "list")]
+    file: Option<PathBuf>,
+    /// What drives the inputs; in a folder, its stimulus.csv where this is not given; without one, random inputs
+    #[arg(long, value_name = "CSV")]
+    stimulus: Option<PathBuf>,
+    /// Scans of the undisturbed run; without it some more than the stimulus has
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    scans: Option<u32>,
+    /// Faults in all; a class with fewer places than its share is injected whole
+    #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    injections: u64,
+    /// Seed of the places, and of random inputs
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Scans that each fault is followed for
+    #[arg(long, value_name = "N", default_value_t = 50, value_parser = clap::value_parser!(u32).range(1..))]
+    follow: u32,
+    /// Threads; as many as there are cores where this is not given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_024))]
+    jobs: Option<u32>,
+    /// Groups of faults
+    #[arg(long, value_name = "GROUP", value_delimiter = ',', default_value = "channel,shared")]
+    group: Vec<Kind>,
+    /// Only classes whose name contains this
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+    /// Inject one fault again, as a report names it
+    #[arg(long, value_name = "FAULT", conflicts_with_all = ["injections", "jobs", "group", "only"])]
+    replay: Option<Fault>,
+    /// List the classes of faults
+    #[arg(long)]
+    list: bool,
+    /// What is printed
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    #[command(flatten)]
+    complete: Complete,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Human,
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    Channel,
+    Shared,
+    Residual,
+}
+
+/// Scans of a run with random inputs.
+const RANDOM_SCANS: u32 = 200;
+/// Scans that a run goes on after the last row of its stimulus.
+const SCANS_AFTER_STIMULUS: u64 = 10;
+/// The longest run that a stimulus makes when nobody says how long.
+const SCANS_MAX: u64 = 5_000;
+const DRAWN_EVERY: Duration = Duration::from_millis(100);
+
+/// Injects.
+pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
+    let mut out = terminal::out();
+    let Some(file) = arguments.file.as_ref().filter(|_| !arguments.list) else {
+        for class in Class::all() {
+            writeln!(out, "{:<9} {class}", class.group().name())?;
+        }
+        return Ok(ExitCode::SUCCESS);
+    };
+    let loaded = match input::image(&mut out, file, &arguments.complete, "; nothing was injected")? {
+        Ok(loaded) => loaded,
+        Err(code) => return Ok(code),
+    };
+    let given = input::stimulus(file, arguments.stimulus.as_deref())?;
+    let period_ms = loaded.image.image().task.as_ref().map_or(1, |task| u64::from(task.period_us / 1000)).max(1);
+    let scans = arguments.scans.unwrap_or_else(|| match &given {
+        Some(stimulus) => (stimulus.last_ms() / period_ms + SCANS_AFTER_STIMULUS).clamp(2, SCANS_MAX) as u32,
+        None => RANDOM_SCANS,
+    });
+    let stimulus: Stimulus = given.unwrap_or_else(|| random(&loaded.image, scans, arguments.seed));
+    let outputs = &arguments.complete.outputs;
+    let subject: Subject<Primary, Partner> =
+        Subject::new(&loaded.image, &loaded.bytes, &stimulus, outputs, scans).map_err(failed)?;
+    // A panic of a disturbed channel is an outcome, and is counted.
+    std::panic::set_hook(Box::new(|_| {}));
+    if let Some(fault) = arguments.replay {
+        return replay(&mut out, &subject, fault, arguments.follow);
+    }
+    let cores = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let groups = arguments.group.iter().map(|kind| match kind {
+        Kind::Channel => Group::Channel,
+        Kind::Shared => Group::Shared,
+        Kind::Residual => Group::Residual,
+    });
+    let plan = Plan {
+        injections: arguments.injections,
+        seed: arguments.seed,
+        follow: arguments.follow,
+        jobs: arguments.jobs.map_or(cores, |jobs| jobs as usize),
+        groups: groups.collect(),
+        only: arguments.only.clone(),
+    };
+    let campaign = Campaign::new(&subject, plan);
+    if campaign.is_empty() {
+        return Err(io::Error::other("there is nothing to inject: --list shows the classes of faults"));
+    }
+    let begun = Instant::now();
+    let report = with_bar(&campaign);
+    match arguments.format {
+        Format::Human => {
+            let signature = short_form(loaded.image.application_signature());
+            writeln!(
+                out,
+                "{}: safety application {signature}, {} scans, seed {}\n",
+                file.display(),
+                report.scans,
+                report.seed
+            )?;
+            write!(out, "{report}")?;
+            let seconds = begun.elapsed().as_secs_f64();
+            tell(format_args!("{} injections in {seconds:.1} s", report.injected()));
+        }
+        Format::Json => {
+            serde_json::to_writer_pretty(&mut out, &report)?;
+            writeln!(out)?;
+        }
+    }
+    Ok(if report.let_out() == 0 { ExitCode::SUCCESS } else { ExitCode::from(exit::REFUSED) })
+}
+
+fn with_bar(campaign: &Campaign<'_, Primary, Partner>) -> Report {
+    let done = AtomicU64::new(0);
+    if !io::stderr().is_terminal() {
+        return campaign.run(&done);
+    }
+    let bar = ProgressBar::new(campaign.len());
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} faults, {per_sec}, {eta} left");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let report = thread::scope(|scope| {
+        let running = scope.spawn(|| campaign.run(&done));
+        while !running.is_finished() {
+            bar.set_position(done.load(Ordering::Relaxed));
+            thread::sleep(DRAWN_EVERY);
+        }
+        running.join()
+    });
+    bar.finish_and_clear();
+    report.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+}
+
+fn replay(out: &mut dyn Write, subject: &Subject<Primary, Partner>, fault: Fault, follow: u32) -> io::Result<ExitCode> {
+    let outcome = subject.replay(fault, follow);
+    let words = match outcome {
+        Outcome::Masked => "masked: every output was right".to_owned(),
+        Outcome::Latent => "latent: every output was right, and the bit is still wrong".to_owned(),
+        Outcome::Detected(mechanism, scans) => {
+            format!("detected in scan {scans} of the fault by: {}", mechanism.words())
+        }
+        Outcome::Off => "off: outputs were off that should be on, and nothing was detected".to_owned(),
+        Outcome::LetOut(scan) => format!("a wrong output was let out in scan {scan}"),
+        Outcome::Impossible => "no such place, or no such value".to_owned(),
+    };
+    writeln!(out, "{fault}: {words}")?;
+    Ok(if matches!(outcome, Outcome::LetOut(_)) { ExitCode::from(exit::REFUSED) } else { ExitCode::SUCCESS })
+}
