@@ -48,7 +48,13 @@ pub fn run(arguments: &Checklist) -> io::Result<ExitCode> {
     let Some(file) = read.trees.first() else {
         return Err(io::Error::other(format!("{} holds nothing", arguments.file.display())));
     };
-    let compiled = read.project.as_ref().and_then(|project| compile(project).ok());
+    let compiled = match read.project.as_ref().map(compile).transpose() {
+        Ok(compiled) => compiled,
+        Err(finding) => {
+            terminal::tell(format_args!("no signature: {}: {}", finding.code.id, finding.message));
+            None
+        }
+    };
     let evidence = Evidence {
         sources: &read.sources,
         file,

@@ -15,6 +15,7 @@ use crate::terminal;
 
 /// Arguments of `show`.
 #[derive(Debug, Args)]
+#[command(after_help = "Exit code: 0 shown, 1 refused, 2 could not read.")]
 pub struct Show {
     /// An image, or a project that is compiled first
     file: PathBuf,

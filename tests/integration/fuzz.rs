@@ -3,7 +3,7 @@
 use std::fs;
 
 use twinrung_primary::Primary;
-use twinrung_workbench::fuzz::{Case, Failure, Outcome, Pairs, Ran, Subject, ran, replay};
+use twinrung_workbench::fuzz::{Case, Contest, Failure, Outcome, Pairs, Ran, Subject, ran, replay};
 use twinrung_workbench::generate::{self, Size};
 
 use crate::command::twinrung;
@@ -13,16 +13,29 @@ use crate::wrong_partner::{Defect, WrongPartner};
 struct CoarseClock;
 
 impl Defect for CoarseClock {
-    fn clock(now_ms: i64) -> i64 {
+    fn clock(now_ms: i64, _: bool) -> i64 {
         now_ms & !1
     }
 }
 
 type Coarse = Pairs<Primary, WrongPartner<CoarseClock>>;
 
+/// The same clock, but only while nobody listens to the channel, or only while somebody does.
+struct CoarseWhile<const OBSERVED: bool>;
+
+impl<const OBSERVED: bool> Defect for CoarseWhile<OBSERVED> {
+    fn clock(now_ms: i64, observed: bool) -> i64 {
+        if observed == OBSERVED { now_ms & !1 } else { now_ms }
+    }
+}
+
 /// The first program on which a coarse clock shows.
 fn found() -> Box<Failure> {
-    let failed = |seed| match ran::<Coarse>(seed, Size::SMALL, 60, false) {
+    found_by::<Coarse>()
+}
+
+fn found_by<C: Contest>() -> Box<Failure> {
+    let failed = |seed| match ran::<C>(seed, Size::SMALL, 60, false) {
         Ran::Failed(failure) => Some(failure),
         Ran::Agreed(_) | Ran::Refused(_) => None,
     };
@@ -36,6 +49,15 @@ fn campaign_when_one_channel_has_a_defect_then_it_is_found_and_made_small() {
     let whole = generate::program(failure.seed, Size::SMALL).text;
     assert!(failure.case.text.lines().count() * 3 < whole.lines().count(), "{failure}");
     assert!(failure.smallest.contains("the channels differ in"), "{failure}");
+}
+
+/// REQ-FUZZ-001. A channel may execute on another way when nobody listens; both ways of both channels are compared.
+#[test]
+fn campaign_when_a_defect_shows_only_with_or_only_without_an_observer_then_it_is_found_in_either_channel() {
+    found_by::<Pairs<WrongPartner<CoarseWhile<true>>, Primary>>();
+    found_by::<Pairs<WrongPartner<CoarseWhile<false>>, Primary>>();
+    found_by::<Pairs<Primary, WrongPartner<CoarseWhile<true>>>>();
+    found_by::<Pairs<Primary, WrongPartner<CoarseWhile<false>>>>();
 }
 
 /// REQ-FUZZ-002

@@ -88,8 +88,11 @@ fn campaign_when_run_with_one_thread_or_three_then_the_report_is_the_same() {
 fn campaign_when_both_channels_are_alike_and_disturbed_alike_then_wrong_outputs_are_reported_and_replayed() {
     let alike: Subject<Primary, Primary> = subject(&project_path("samples/estop-with-contactors"));
     let report = report(&alike, 4_000, 1, Group::Residual);
-    let found: Vec<Fault> =
-        misses(&report).iter().filter(|miss| miss.contains("channels.program.")).map(|miss| miss.parse().unwrap()).collect();
+    let found: Vec<Fault> = misses(&report)
+        .iter()
+        .filter(|miss| miss.contains("channels.program."))
+        .map(|miss| miss.parse().unwrap())
+        .collect();
     assert!(!found.is_empty(), "{report}");
     let again: Vec<Outcome> = found.iter().map(|fault| alike.replay(*fault, FOLLOW)).collect();
     assert!(again.iter().all(|outcome| matches!(outcome, Outcome::LetOut(_))), "{again:?}");

@@ -118,7 +118,7 @@ fn random_programs_when_run_on_two_threads_then_every_cell_is_that_of_one_thread
 struct Panics;
 
 impl Defect for Panics {
-    fn clock(now_ms: i64) -> i64 {
+    fn clock(now_ms: i64, _: bool) -> i64 {
         assert!(now_ms < 20, "this channel ends here, as the test asks of it");
         now_ms
     }
@@ -130,7 +130,7 @@ struct Hangs;
 static RELEASED: AtomicBool = AtomicBool::new(false);
 
 impl Defect for Hangs {
-    fn clock(now_ms: i64) -> i64 {
+    fn clock(now_ms: i64, _: bool) -> i64 {
         while now_ms >= 20 && !RELEASED.load(Ordering::Acquire) {
             thread::yield_now();
         }

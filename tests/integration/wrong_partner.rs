@@ -17,8 +17,9 @@ pub trait Defect {
         let _ = records;
     }
 
-    /// What its clock says, in ms.
-    fn clock(now_ms: i64) -> i64 {
+    /// What its clock says, in ms, when an observer listens and when none does.
+    fn clock(now_ms: i64, observed: bool) -> i64 {
+        let _ = observed;
         now_ms
     }
 }
@@ -42,11 +43,11 @@ impl<D: Defect> Channel for WrongPartner<D> {
     }
 
     fn prescan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        self.0.prescan(ScanInputs { now_ms: D::clock(inputs.now_ms), ..inputs }, observer)
+        self.0.prescan(ScanInputs { now_ms: D::clock(inputs.now_ms, O::ACTIVE), ..inputs }, observer)
     }
 
     fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        self.0.scan(ScanInputs { now_ms: D::clock(inputs.now_ms), ..inputs }, observer)
+        self.0.scan(ScanInputs { now_ms: D::clock(inputs.now_ms, O::ACTIVE), ..inputs }, observer)
     }
 
     fn set_bit(&mut self, cell: BitCell, value: bool) {

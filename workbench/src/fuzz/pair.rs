@@ -17,7 +17,8 @@ use super::{Contest, Ended, Evaluators, Executions, Subject, system_samples};
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Pairs<A, B>(PhantomData<(A, B)>);
 
-/// Two channels with one program. The first reports what it executes.
+/// Two channels with one program. They take turns in reporting what they execute, since a channel may execute on another
+/// way when nobody listens: that way is to be compared as well.
 pub struct Pair<'s, A, B> {
     subject: &'s Subject,
     first: A,
@@ -25,6 +26,7 @@ pub struct Pair<'s, A, B> {
     executions: Executions,
     system_values: Vec<i32>,
     budget: u64,
+    second_reports: bool,
 }
 
 impl<A: Channel, B: Channel> Contest for Pairs<A, B> {
@@ -38,6 +40,7 @@ impl<A: Channel, B: Channel> Contest for Pairs<A, B> {
             executions: Executions::new(subject),
             system_values: vec![0; subject.image.image().system_values_length()],
             budget,
+            second_reports: false,
         }
     }
 }
@@ -72,13 +75,22 @@ impl<A: Channel, B: Channel> Evaluators for Pair<'_, A, B> {
 
     fn prescan(&mut self, now_ms: i64) -> Result<Ended, String> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
-        let ends = (self.first.prescan(inputs, &mut self.executions), self.second.prescan(inputs, &mut Silent));
+        let (first, second, executions) = (&mut self.first, &mut self.second, &mut self.executions);
+        let ends = match self.second_reports {
+            true => (first.prescan(inputs, &mut Silent), second.prescan(inputs, executions)),
+            false => (first.prescan(inputs, executions), second.prescan(inputs, &mut Silent)),
+        };
         self.judged(ends)
     }
 
     fn scan(&mut self, now_ms: i64) -> Result<Ended, String> {
         let inputs = ScanInputs { now_ms, budget: self.budget, system_values: &self.system_values };
-        let ends = (self.first.scan(inputs, &mut self.executions), self.second.scan(inputs, &mut Silent));
+        self.second_reports = !self.second_reports;
+        let (first, second, executions) = (&mut self.first, &mut self.second, &mut self.executions);
+        let ends = match self.second_reports {
+            true => (first.scan(inputs, &mut Silent), second.scan(inputs, executions)),
+            false => (first.scan(inputs, executions), second.scan(inputs, &mut Silent)),
+        };
         self.judged(ends)
     }
 

@@ -65,7 +65,9 @@ impl Mechanism {
                     Difference::Path => Mechanism::Path,
                     Difference::Event(_) | Difference::FaultRecord(_) => Mechanism::Records,
                 },
-                SafetyFault::WatchdogExpired | SafetyFault::BudgetExceeded | SafetyFault::ChannelStopped => Mechanism::Budget,
+                SafetyFault::WatchdogExpired | SafetyFault::BudgetExceeded | SafetyFault::ChannelStopped => {
+                    Mechanism::Budget
+                }
                 SafetyFault::ImageCorrupted => Mechanism::ImageCheck,
                 SafetyFault::SecondComparison => Mechanism::SecondComparison,
                 SafetyFault::NothingExecuted => Mechanism::Execution,
