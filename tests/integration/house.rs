@@ -19,6 +19,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ("twinrung-primary", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-primary"], &[]),
     ("twinrung-partner", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-partner"], &[]),
     ("twinrung-controller", &["twinrung-bytecode", "twinrung-primary", "twinrung-partner"], &[]),
+    ("twinrung-commission", &["twinrung-bytecode", "twinrung-controller"], &[]),
     (
         "twinrung-workbench",
         &[

@@ -32,6 +32,7 @@ mod image_check;
 #[cfg(feature = "injection")]
 mod injection;
 mod mode;
+pub mod protection;
 mod reciprocal;
 mod self_test;
 mod time;

@@ -1,0 +1,42 @@
+//! The safety task signature: ID, date and time.
+
+use std::fmt;
+
+use jiff::Timestamp;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use twinrung_bytecode::signature::{long_form, short_form};
+
+/// The safety task signature (1756-RM093 Generate the Safety Task Signature). Its ID is the safety application signature: it
+/// covers logic, data and configuration, and is the same wherever the same application is built.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SafetyTaskSignature {
+    /// The ID.
+    #[serde(serialize_with = "write_id", deserialize_with = "read_id")]
+    pub id: [u8; 32],
+    /// When it was generated.
+    pub generated: Timestamp,
+}
+
+impl fmt::Display for SafetyTaskSignature {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}  {}", short_form(&self.id), self.generated)
+    }
+}
+
+fn write_id<S: Serializer>(id: &[u8; 32], to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&long_form(id))
+}
+
+fn read_id<'de, D: Deserializer<'de>>(from: D) -> Result<[u8; 32], D::Error> {
+    let text = String::deserialize(from)?;
+    id_of(&text).ok_or_else(|| serde::de::Error::custom("an ID has 64 hexadecimal digits"))
+}
+
+fn id_of(text: &str) -> Option<[u8; 32]> {
+    let mut id = [0; 32];
+    (text.len() == 64 && text.is_ascii()).then_some(())?;
+    for (byte, at) in id.iter_mut().zip((0..64).step_by(2)) {
+        *byte = u8::from_str_radix(text.get(at..at + 2)?, 16).ok()?;
+    }
+    Some(id)
+}
