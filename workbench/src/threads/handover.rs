@@ -7,9 +7,10 @@ use std::time::Instant;
 use crossbeam_utils::CachePadded;
 use crossbeam_utils::atomic::AtomicCell;
 
-/// Turns of a waiting loop before it offers the processor to others in each turn (`sched_yield`): well below a millisecond.
-/// With fewer processors than threads it does so from the first: nothing is gained by waiting awake.
-const SPINS: u64 = 4_000;
+/// Turns of a waiting loop before it offers the processor to others in each turn (`sched_yield`): some ten microseconds. Where
+/// other work makes both threads share a processor, each hand-over costs that time; on a quiet machine an offer that nobody takes costs
+/// a fraction of a microsecond. With fewer processors than threads the loop offers it from the first turn.
+const SPINS: u64 = 200;
 /// The clock is looked at once in so many turns of a waiting loop.
 const LOOKS: u64 = 64;
 

@@ -47,8 +47,14 @@ pub struct OnThread<B> {
     begun: Option<Instant>,
 }
 
-/// The channel and what its scan needs; never requested anew.
+/// The channel, what its scan needs, and a copy of its cells as the last execution left them. None of it is requested anew.
+///
+/// The controller reads the copy, not the channel's own cells: a cache line that another processor has read costs a journey
+/// when it is next written, and a scan writes its cells here and there, each such journey alone. The copy is written
+/// from end to end by the thread that has just written the cells, and its journeys go side by side.
 struct Job<B> {
+    bits: Vec<u8>,
+    words: Vec<u32>,
     channel: B,
     now_ms: i64,
     budget: u64,
@@ -60,6 +66,15 @@ impl<B: Channel> Job<B> {
     fn execute(&mut self) {
         let inputs = ScanInputs { now_ms: self.now_ms, budget: self.budget, system_values: &self.system_values };
         self.end = self.channel.scan(inputs, &mut Silent);
+        self.copy_cells();
+    }
+
+    /// Both vectors keep their room: a channel never has more cells than when it was loaded.
+    fn copy_cells(&mut self) {
+        self.bits.clear();
+        self.bits.extend_from_slice(self.channel.bits());
+        self.words.clear();
+        self.words.extend_from_slice(self.channel.words());
     }
 }
 
@@ -73,10 +88,6 @@ impl<B> OnThread<B> {
     fn channel(&self) -> Option<&B> {
         self.job.as_ref().map(|job| &job.channel)
     }
-
-    fn channel_mut(&mut self) -> Option<&mut B> {
-        self.job.as_mut().map(|job| &mut job.channel)
-    }
 }
 
 impl<B: Channel + Send + 'static> Channel for OnThread<B> {
@@ -87,7 +98,8 @@ impl<B: Channel + Send + 'static> Channel for OnThread<B> {
     fn load(image: &AdmittedImage) -> Result<Self, Self::LoadError> {
         let channel = B::load(image).map_err(LoadError::Channel)?;
         let system_values = vec![0; image.image().system_values_length()];
-        let job = Job { channel, now_ms: 0, budget: 0, system_values, end: ScanEnd::Completed };
+        let (bits, words) = (channel.bits().to_vec(), channel.words().to_vec());
+        let job = Job { bits, words, channel, now_ms: 0, budget: 0, system_values, end: ScanEnd::Completed };
         let handover = Arc::new(Handover::new());
         let served = Arc::clone(&handover);
         let thread = thread::Builder::new()
@@ -100,13 +112,17 @@ impl<B: Channel + Send + 'static> Channel for OnThread<B> {
     }
 
     fn reset(&mut self) {
-        if let Some(channel) = self.channel_mut() {
-            channel.reset();
+        if let Some(job) = self.job.as_mut() {
+            job.channel.reset();
+            job.copy_cells();
         }
     }
 
     fn prescan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        self.channel_mut().map_or(ScanEnd::BudgetExceeded, |channel| channel.prescan(inputs, observer))
+        let Some(job) = self.job.as_mut() else { return ScanEnd::BudgetExceeded };
+        let end = job.channel.prescan(inputs, observer);
+        job.copy_cells();
+        end
     }
 
     fn begin<O: Observer>(&mut self, inputs: ScanInputs<'_>) {
@@ -124,8 +140,10 @@ impl<B: Channel + Send + 'static> Channel for OnThread<B> {
     }
 
     fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, observer: &mut O) -> ScanEnd {
-        if let Some(channel) = self.channel_mut() {
-            return channel.scan(inputs, observer);
+        if let Some(job) = self.job.as_mut() {
+            let end = job.channel.scan(inputs, observer);
+            job.copy_cells();
+            return end;
         }
         let until = self.begun.zip(self.time_limit).and_then(|(begun, limit)| begun.checked_add(limit));
         self.job = self.handover.take_back(until);
@@ -138,23 +156,28 @@ impl<B: Channel + Send + 'static> Channel for OnThread<B> {
     }
 
     fn set_bit(&mut self, cell: BitCell, value: bool) {
-        if let Some(channel) = self.channel_mut() {
-            channel.set_bit(cell, value);
+        let Some(job) = self.job.as_mut() else { return };
+        job.channel.set_bit(cell, value);
+        if let (Some(copy), Some(own)) = (job.bits.get_mut(cell.position()), job.channel.bits().get(cell.position())) {
+            *copy = *own;
         }
     }
 
     fn set_word(&mut self, cell: WordCell, value: i32) {
-        if let Some(channel) = self.channel_mut() {
-            channel.set_word(cell, value);
+        let Some(job) = self.job.as_mut() else { return };
+        job.channel.set_word(cell, value);
+        if let (Some(copy), Some(own)) = (job.words.get_mut(cell.position()), job.channel.words().get(cell.position()))
+        {
+            *copy = *own;
         }
     }
 
     fn bits(&self) -> &[u8] {
-        self.channel().map_or(&[], B::bits)
+        self.job.as_ref().map_or(&[], |job| &job.bits)
     }
 
     fn words(&self) -> &[u32] {
-        self.channel().map_or(&[], B::words)
+        self.job.as_ref().map_or(&[], |job| &job.words)
     }
 
     fn status(&self) -> Status {

@@ -1,5 +1,8 @@
 //! Both channels on two threads against both on one: from which size on it pays.
 
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Instant;
+
 use twinrung_benches::{Inputs, Result, median, timed};
 use twinrung_controller::{Part, Partner};
 use twinrung_workbench::OnThread;
@@ -15,8 +18,37 @@ const RUNGS: [usize; 6] = [100, 300, 1000, 3000, 10_000, 100_000];
 const RUNGS_IN_ALL: usize = 2_000_000;
 const SCANS: std::ops::RangeInclusive<usize> = 60..=5000;
 
+/// Hand-overs that are timed.
+const ROUNDS: u32 = 100_000;
+
+/// How long it takes from one thread to another and back, in ns, by a number that both write in turn: the mean of many. It
+/// says how far apart the processors are that the two threads are on, and what two threads cost follows from that.
+fn round_trip_ns() -> u128 {
+    let turn = AtomicU32::new(0);
+    let wait_for = |number| {
+        while turn.load(Ordering::Acquire) != number {
+            std::hint::spin_loop();
+        }
+    };
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            for round in 0..ROUNDS {
+                wait_for(2 * round + 1);
+                turn.store(2 * round + 2, Ordering::Release);
+            }
+        });
+        let begun = Instant::now();
+        for round in 0..ROUNDS {
+            turn.store(2 * round + 1, Ordering::Release);
+            wait_for(2 * round + 2);
+        }
+        begun.elapsed().as_nanos() / u128::from(ROUNDS)
+    })
+}
+
 /// The figure for when two threads pay.
 pub fn on_two(options: &Options) -> Result<()> {
+    let before = round_trip_ns();
     table::begin(
         &format!("Both channels on two threads against one, {} pairs", options.pairs),
         &[
@@ -72,6 +104,7 @@ pub fn on_two(options: &Options) -> Result<()> {
         from.push((mix, pays_from));
     }
     table::end(None);
+    println!("From one thread to the other and back: {before} ns before, {} ns after.\n", round_trip_ns());
     for (mix, rungs) in from {
         match rungs {
             Some(rungs) => println!("`{mix}`: two threads pay from {rungs} rungs on.\n"),
