@@ -26,6 +26,7 @@ mod random_instructions;
 mod reaction;
 mod refused;
 mod samples;
+mod scenarios;
 mod support;
 mod two_threads;
 mod vectors;

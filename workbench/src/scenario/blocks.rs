@@ -3,13 +3,13 @@
 use twinrung_bytecode::AdmittedImage;
 use twinrung_compiler::diagnostic::{Finding, SCENARIO_BLOCK, SCENARIO_NAME, SCENARIO_TIME, SCENARIO_VALUE};
 use twinrung_grammar::tree::scenario::{
-    Block, BlockKind, Condition, Line, LineKind, Literal, Mode, Relation, ScenarioFile, ScenarioItem, Setting, Time,
-    TimeUnit,
+    Block, BlockKind, Condition, Line, LineKind, Literal, Mode, ScenarioFile, ScenarioItem, Setting, Time,
 };
 use twinrung_grammar::tree::{Name, Span};
 
-use super::plan::{never_text, nevers, no_scan};
+use super::plan::{nevers, no_scan};
 use super::value::{self, Check};
+use super::words::{self, condition_text, never_text, time_text, within_text};
 use super::{Action, Change, Expectation, Expected};
 use crate::names;
 use crate::signal::{Signal, Value};
@@ -113,7 +113,7 @@ impl<'a> Expansion<'a> {
             self.end_ms = moment.begin_ms;
         }
         for line in &block.lines {
-            if let Err(finding) = self.line(block, line, &mut moment) {
+            if let Err(finding) = self.line(line, &mut moment) {
                 self.findings.push(*finding);
             }
         }
@@ -123,7 +123,7 @@ impl<'a> Expansion<'a> {
         (self.end_ms / self.period_ms + 1) * self.period_ms
     }
 
-    fn line(&mut self, block: &'a Block, line: &'a Line, moment: &mut Moment) -> Result<(), Box<Finding>> {
+    fn line(&mut self, line: &'a Line, moment: &mut Moment) -> Result<(), Box<Finding>> {
         match &line.kind {
             LineKind::With(name) => return self.with(name.as_str(), name.span, moment),
             LineKind::PowerUp(mode) => {
@@ -153,9 +153,11 @@ impl<'a> Expansion<'a> {
                     );
                     return Err(finding(&SCENARIO_TIME, time.span, message));
                 }
-                moment.now_ms = at_ms;
+                moment.now_ms = self.moment(at_ms, line.span)?;
             }
-            LineKind::After(time) => moment.now_ms = moment.now_ms.saturating_add(self.time(time)?),
+            LineKind::After(time) => {
+                moment.now_ms = self.moment(moment.now_ms.saturating_add(self.time(time)?), line.span)?;
+            }
             LineKind::Given(settings) | LineKind::When(settings) => self.settings(settings, moment.now_ms)?,
             LineKind::Hold(settings, time) => self.hold(settings, time, moment.now_ms)?,
             LineKind::Toggle { name, every, lasts } => self.toggle(name, every, lasts, moment.now_ms)?,
@@ -182,7 +184,7 @@ impl<'a> Expansion<'a> {
             }
         }
         moment.begun = true;
-        self.lasts_until(moment.now_ms, block.name.span)
+        self.lasts_until(moment.now_ms, line.span)
     }
 
     fn with(&mut self, name: &'a str, span: Span, moment: &mut Moment) -> Result<(), Box<Finding>> {
@@ -374,6 +376,11 @@ impl<'a> Expansion<'a> {
         Ok(())
     }
 
+    /// A moment that a scenario can have.
+    fn moment(&self, at_ms: u64, span: Span) -> Result<u64, Box<Finding>> {
+        self.scan_of(at_ms, span).map(|_| at_ms)
+    }
+
     /// Time of the scan that sees what is done at a moment: what is done between two scans is seen by the next one.
     fn scan_of(&self, at_ms: u64, span: Span) -> Result<u64, Box<Finding>> {
         let last = SCANS_MAX.saturating_mul(self.period_ms);
@@ -393,30 +400,10 @@ impl<'a> Expansion<'a> {
 
     /// A time in ms.
     fn time(&self, time: &Time) -> Result<u64, Box<Finding>> {
-        let wrong = || {
-            Box::new(
-                Finding::new(
-                    &SCENARIO_TIME,
-                    time.span,
-                    format!("`{}` is no time in whole milliseconds", time_text(time)),
-                )
-                .help("write 200 ms, 1.5 s, 2 min or 3 scans"),
-            )
-        };
-        let factor = match time.unit {
-            TimeUnit::Milliseconds => 1,
-            TimeUnit::Seconds => 1_000,
-            TimeUnit::Minutes => 60_000,
-            TimeUnit::Scans => self.period_ms,
-        };
-        let (whole, fraction) = time.number.split_once('.').unwrap_or((&time.number, ""));
-        if fraction.len() > 5 || (time.unit == TimeUnit::Scans && !fraction.is_empty()) {
-            return Err(wrong());
-        }
-        let scale = 10_u64.pow(fraction.len() as u32);
-        let digits: u64 = format!("{whole}{fraction}").replace('_', "").parse().map_err(|_| wrong())?;
-        let scaled = digits.checked_mul(factor).ok_or_else(wrong)?;
-        if scaled % scale == 0 { Ok(scaled / scale) } else { Err(wrong()) }
+        words::milliseconds(time, self.period_ms).ok_or_else(|| {
+            let message = format!("`{}` is no time in whole milliseconds", time_text(time));
+            Box::new(Finding::new(&SCENARIO_TIME, time.span, message).help("write 200 ms, 1.5 s, 2 min or 3 scans"))
+        })
     }
 }
 
@@ -430,33 +417,4 @@ fn number(literal: &Literal) -> Result<u16, Box<Finding>> {
         Value::Integer(value) => u16::try_from(value).map_err(|_| wrong()),
         _ => Err(wrong()),
     }
-}
-
-/// A condition as a report names it.
-pub(super) fn condition_text(condition: &Condition) -> String {
-    let relation = match condition.relation {
-        Relation::Is => "is",
-        Relation::IsNot => "is not",
-        Relation::Below => "<",
-        Relation::AtMost => "<=",
-        Relation::Above => ">",
-        Relation::AtLeast => ">=",
-    };
-    let tolerance = condition.tolerance.as_ref().map_or(String::new(), |literal| format!(" +- {}", literal.text));
-    format!("{} {relation} {}{tolerance}", condition.name, condition.value.text)
-}
-
-fn time_text(time: &Time) -> String {
-    let unit = match time.unit {
-        TimeUnit::Milliseconds => "ms",
-        TimeUnit::Seconds => "s",
-        TimeUnit::Minutes => "min",
-        TimeUnit::Scans if time.number == "1" => "scan",
-        TimeUnit::Scans => "scans",
-    };
-    format!("{} {unit}", time.number)
-}
-
-fn within_text(within: Option<&Time>) -> String {
-    within.map_or(String::new(), |time| format!(" within {}", time_text(time)))
 }

@@ -11,6 +11,7 @@ pub mod report;
 mod suite;
 mod value;
 mod why;
+mod words;
 
 pub use plan::{Exclusion, Plan, plan};
 pub use play::{Failure, Played, play};

@@ -7,6 +7,7 @@ use twinrung_grammar::tree::{Span, Text};
 
 use super::blocks::{Blocks, Expansion};
 use super::value::Check;
+use super::words::never_text;
 use super::{Expectation, Expected, Scenario};
 
 /// What a scenario file asks for.
@@ -128,12 +129,6 @@ fn scenario(
 /// `never` with names and values looked up.
 pub(super) fn nevers(image: &AdmittedImage, never: &Never) -> Result<Expected, Finding> {
     never.conditions.iter().map(|condition| Check::new(image, condition)).collect::<Result<_, _>>().map(Expected::Never)
-}
-
-/// `never` as a report names it.
-pub(super) fn never_text(never: &Never) -> String {
-    let conditions: Vec<String> = never.conditions.iter().map(super::blocks::condition_text).collect();
-    format!("never {}", conditions.join(" and "))
 }
 
 /// A time that no scan has.
