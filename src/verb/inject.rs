@@ -14,7 +14,7 @@ use twinrung_bytecode::signature::short_form;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::Stimulus;
-use twinrung_workbench::inject::{Campaign, Class, Fault, Group, Outcome, Plan, Report, Subject, random};
+use twinrung_workbench::inject::{Campaign, Class, Fault, Group, Outcome, Plan, Report, Subject, is_injecting, random};
 
 use crate::input::{self, Complete};
 use crate::terminal::{self, tell};
@@ -118,8 +118,13 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
     let outputs = &arguments.complete.outputs;
     let subject: Subject<Primary, Partner> =
         Subject::new(&loaded.image, &loaded.bytes, &stimulus, outputs, scans).map_err(failed)?;
-    // A panic of a disturbed channel is an outcome, and is counted.
-    std::panic::set_hook(Box::new(|_| {}));
+    // A panic of a disturbed channel is an outcome, and is counted. Others are heard.
+    let heard = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if !is_injecting() {
+            heard(panic);
+        }
+    }));
     if let Some(fault) = arguments.replay {
         return replay(&mut out, &subject, fault, arguments.follow);
     }

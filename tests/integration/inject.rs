@@ -9,6 +9,7 @@ use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::inject::{Campaign, Coverage, Fault, Group, Outcome, Plan, Report, Subject, random};
 
+use crate::command::twinrung;
 use crate::support::{image_of, project_path, read_whole, stimulus};
 
 /// Scans of an undisturbed run, and scans that a fault is followed for.
@@ -121,4 +122,41 @@ fn random_inputs_when_drawn_twice_by_one_seed_then_they_are_the_same() {
     let (image, _) = image_of(&read_whole(&project_path("samples/estop-with-contactors/project.rll")));
     assert_eq!(random(&image, 50, 7), random(&image, 50, 7));
     assert_ne!(random(&image, 50, 7), random(&image, 50, 8));
+}
+
+/// REQ-INJECT-005
+#[test]
+fn command_when_wrong_outputs_were_let_out_then_it_ends_with_one_and_its_misses_are_replayed() {
+    let sample = "samples/estop-with-contactors";
+    let said = twinrung(&["inject", sample, "--injections", "400", "--group", "residual", "--format", "json"]);
+    assert_eq!(said.code, Some(1), "{}", said.err);
+    let report: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    let classes = report["classes"].as_array().unwrap();
+    let misses = classes.iter().flat_map(|class| class["misses"].as_array().unwrap());
+    let miss = misses.map(|miss| miss.as_str().unwrap()).next().unwrap();
+    let again = twinrung(&["inject", sample, "--replay", miss]);
+    assert_eq!(again.code, Some(1));
+    assert!(again.out.contains("a wrong output was let out"), "{}", again.out);
+}
+
+#[test]
+fn command_when_no_wrong_output_was_let_out_then_it_ends_with_zero_and_says_the_coverage() {
+    let sample = "samples/estop-with-contactors";
+    let said = twinrung(&["inject", sample, "--injections", "600", "--jobs", "1"]);
+    assert_eq!(said.code, Some(0), "{}", said.out);
+    assert!(said.out.contains("diagnostic coverage 100.0000 %"), "{}", said.out);
+}
+
+#[test]
+fn command_when_a_fault_or_a_file_is_none_then_it_says_so_and_ends_with_two() {
+    let sample = "samples/estop-with-contactors";
+    for arguments in [
+        ["inject", sample, "--replay", "17:nothing:1"],
+        ["inject", "samples/none", "--seed", "1"],
+        ["inject", sample, "--only", "nothing"],
+    ] {
+        let said = twinrung(&arguments);
+        assert_eq!(said.code, Some(2), "{arguments:?} {}", said.out);
+        assert!(!said.err.is_empty(), "{arguments:?}");
+    }
 }

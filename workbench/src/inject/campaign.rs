@@ -1,5 +1,6 @@
 //! Which faults are injected: all of a class where there are few, otherwise a sample by a seed.
 
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
@@ -93,7 +94,7 @@ where
         let parts: Vec<Vec<ClassReport>> = thread::scope(|scope| {
             let threads: Vec<_> =
                 (0..jobs).map(|job| scope.spawn(move || self.part(job, jobs, empty(), done))).collect();
-            threads.into_iter().filter_map(|thread| thread.join().ok()).collect()
+            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|panic| resume_unwind(panic))).collect()
         });
         let mut classes: Vec<ClassReport> = empty();
         for part in parts {

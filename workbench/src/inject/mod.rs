@@ -23,7 +23,7 @@ pub use campaign::{Campaign, Plan};
 pub use channel::Disturbed;
 pub use fault::{Class, Fault, Group};
 pub use interval::Coverage;
-pub use once::{Mechanism, Outcome};
+pub use once::{Mechanism, Outcome, is_injecting};
 pub use report::{ClassReport, Report, Summary};
 pub use stimulus::random;
 pub use subject::{Subject, SubjectError};

@@ -1,5 +1,6 @@
 //! One fault: injected, and followed until it is known what became of it.
 
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use twinrung_bytecode::admit;
@@ -120,16 +121,33 @@ pub enum Outcome {
     Impossible,
 }
 
+thread_local! {
+    static INJECTING: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Whether this thread follows a fault: a panic is then an outcome, and nobody needs to hear of it.
+pub fn is_injecting() -> bool {
+    INJECTING.get()
+}
+
+/// Does something in which a panic is an outcome.
+fn heard_by_nobody<T>(work: impl FnOnce() -> T) -> Option<T> {
+    INJECTING.set(true);
+    let done = catch_unwind(AssertUnwindSafe(work)).ok();
+    INJECTING.set(false);
+    done
+}
+
 impl<A: Injectable, B: Injectable> Subject<A, B> {
     /// Injects a fault into a state in front of its scan, and runs so many scans from it on.
     pub(super) fn inject(&self, mut state: State<A, B>, fault: Fault, scans: u32) -> Outcome {
         if let Class::Image(bits) = fault.class {
             return self.load_disturbed(bits, fault);
         }
-        let followed = catch_unwind(AssertUnwindSafe(|| {
+        let followed = heard_by_nobody(|| {
             self.arm(&mut state, fault);
             self.follow(&mut state, fault, scans)
-        }));
+        });
         followed.unwrap_or(Outcome::Detected(Mechanism::Panic, 1))
     }
 
@@ -248,12 +266,11 @@ impl<A: Injectable, B: Injectable> Subject<A, B> {
             let Some(byte) = bytes.get_mut((bit / 8) as usize) else { return Outcome::Impossible };
             *byte ^= 1 << (bit % 8);
         }
-        let admitted = catch_unwind(|| admit(&bytes).is_ok());
-        match admitted {
-            Ok(false) => Outcome::Detected(Mechanism::Loader, 1),
+        match heard_by_nobody(|| admit(&bytes).is_ok()) {
+            Some(false) => Outcome::Detected(Mechanism::Loader, 1),
             // Another image that is admitted is another program.
-            Ok(true) => Outcome::LetOut(fault.scan),
-            Err(_) => Outcome::Detected(Mechanism::Panic, 1),
+            Some(true) => Outcome::LetOut(fault.scan),
+            None => Outcome::Detected(Mechanism::Panic, 1),
         }
     }
 }
