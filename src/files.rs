@@ -4,8 +4,8 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes a file under a temporary name beside its place, flushes it to the disk and renames it: a reader sees the old file or
-/// the new one. Through a link its target is written; a device or a pipe is written as it is, never replaced by a file.
+/// Writes a file under a temporary name beside its place, flushes it to the disk, renames it and flushes the folder: a reader
+/// sees the old file or the new one, after a loss of power too. Through a link its target is written; a device or a pipe is written as it is, never replaced by a file.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let before = fs::metadata(path).ok();
     if before.as_ref().is_some_and(|before| !before.is_file() && !before.is_dir()) {
@@ -24,6 +24,19 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     }
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
+    sync_folder_of(path)
+}
+
+/// Makes the name of a file or folder durable. Systems whose folders cannot be opened do so by themselves.
+#[cfg(unix)]
+pub fn sync_folder_of(path: &Path) -> io::Result<()> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::File::open(folder)?.sync_all()
+}
+
+/// Makes the name of a file or folder durable. Systems whose folders cannot be opened do so by themselves.
+#[cfg(not(unix))]
+pub fn sync_folder_of(_path: &Path) -> io::Result<()> {
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use twinrung_workbench::pages::{findings, index};
+use twinrung_workbench::pages::{findings, index, protection};
 
 use crate::support::{differs_from_reviewed, expect_reviewed, project_path};
 
@@ -27,4 +27,10 @@ fn instruction_pages_when_made_anew_then_they_are_those_in_the_folder_and_no_oth
 fn rules_page_when_made_anew_then_it_is_the_one_in_the_folder() {
     let path = project_path("docs/rules.md");
     expect_reviewed(&path, &findings::rules_table());
+}
+
+/// REQ-MODE-002
+#[test]
+fn protection_page_when_made_anew_then_it_is_the_one_in_the_folder() {
+    expect_reviewed(&project_path("docs/protection.md"), &protection::protection_page());
 }

@@ -7,6 +7,7 @@ pub mod index;
 pub mod instruction;
 pub mod markdown;
 mod operands;
+pub mod protection;
 mod structures;
 pub mod terminal;
 pub mod timing;
