@@ -1,6 +1,6 @@
-//! Random valid programs over the whole base instruction set run on primary, partner and judge, compared after every scan.
+//! Random valid programs over the whole instruction set run on primary, partner and judge, compared after every scan.
 //!
-//! A longer run: `cargo run --release -p twinrung-trio --example random_programs -- --executions 100000000`.
+//! A longer run: `cargo run --release --features judge -- fuzz --time 1h`.
 
 use twinrung_catalog::Opcode;
 use twinrung_grammar::tree::Sources;

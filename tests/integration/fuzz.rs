@@ -4,7 +4,7 @@ use std::fs;
 
 use twinrung_primary::Primary;
 use twinrung_workbench::fuzz::{Case, Contest, Failure, Outcome, Pairs, Ran, Subject, ran, replay};
-use twinrung_workbench::generate::{self, Size};
+use twinrung_workbench::generate::{self, Genome, Size};
 
 use crate::command::twinrung;
 use crate::wrong_partner::{Defect, WrongPartner};
@@ -35,18 +35,20 @@ fn found() -> Box<Failure> {
 }
 
 fn found_by<C: Contest>() -> Box<Failure> {
-    let failed = |seed| match ran::<C>(seed, Size::SMALL, 60, false) {
+    let failed = |seed| match ran::<C>(seed, &Genome::of_seed(seed), Size::SMALL, 60) {
         Ran::Failed(failure) => Some(failure),
-        Ran::Agreed(_) | Ran::Refused(_) => None,
+        Ran::Agreed(_) | Ran::Refused { .. } => None,
     };
-    (1..100).find_map(failed).expect("a coarse clock shows in a timer")
+    let mut failure = (1..100).find_map(failed).expect("a coarse clock shows in a timer");
+    failure.shrink::<C>();
+    failure
 }
 
 /// REQ-FUZZ-001
 #[test]
 fn campaign_when_one_channel_has_a_defect_then_it_is_found_and_made_small() {
     let failure = found();
-    let whole = generate::program(failure.seed, Size::SMALL).text;
+    let whole = generate::program(failure.number, Size::SMALL).text;
     assert!(failure.case.text.lines().count() * 3 < whole.lines().count(), "{failure}");
     assert!(failure.smallest.contains("the channels differ in"), "{failure}");
 }

@@ -12,6 +12,7 @@ mod corpus;
 mod defects;
 mod freestanding;
 mod fuzz;
+mod fuzz_campaign;
 mod hostile;
 mod house;
 mod idioms;

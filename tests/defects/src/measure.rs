@@ -3,8 +3,11 @@
 use std::fmt;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
@@ -43,6 +46,8 @@ pub enum MeasureError {
     Build(String),
     /// The fuzzer did not end as it should: its last words.
     Fuzz(String),
+    /// What was found shows in the project without the defect as well: the case.
+    Sound(PathBuf),
     /// A program cannot be started or a file not be read.
     Io(io::Error),
 }
@@ -52,6 +57,9 @@ impl fmt::Display for MeasureError {
         match self {
             MeasureError::Build(said) => write!(f, "the tree with the defect does not build:\n{said}"),
             MeasureError::Fuzz(said) => write!(f, "the fuzzer did not end as it should:\n{said}"),
+            MeasureError::Sound(case) => {
+                write!(f, "what was found shows without the defect too, so nothing is known of it: {}", case.display())
+            }
             MeasureError::Io(error) => error.fmt(f),
         }
     }
@@ -75,6 +83,7 @@ struct Report {
 
 #[derive(Deserialize)]
 struct Difference {
+    program: u64,
     after_seconds: f64,
     after_programs: u64,
 }
@@ -96,35 +105,82 @@ impl Bench {
         if built.status.success() { Ok(()) } else { Err(MeasureError::Build(last_lines(&built.stderr))) }
     }
 
-    /// Runs the fuzzer that was built last.
+    /// Keeps the command that was built last as that of the project without a defect.
     ///
     /// # Errors
     ///
-    /// It cannot be run, or ends otherwise than with its verdict.
+    /// It cannot be copied.
+    pub fn keep_sound(&self) -> Result<(), MeasureError> {
+        fs::copy(self.built(), self.sound())?;
+        Ok(())
+    }
+
+    /// Runs the fuzzer that was built last. What it finds must not show in the project without the defect.
+    ///
+    /// # Errors
+    ///
+    /// It cannot be run, or ends otherwise than with its verdict, or found something that is not the defect.
     pub fn run(&self) -> Result<Measured, MeasureError> {
-        let report = self.folder.join("report.json");
+        let (report, cases) = (self.folder.join("report.json"), self.folder.join("cases"));
         match fs::remove_file(&report) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error.into()),
             _ => {}
         }
-        let mut command = Command::new(self.folder.join("build/defects/twinrung"));
+        let mut command = Command::new(self.built());
         command.args(["fuzz", "--differences", "1", "--as-found", "--seed", &self.seed.to_string()]);
         command.args(["--jobs", &self.jobs.to_string(), "--time", &format!("{}s", self.limit_s)]);
-        command.arg("--cases").arg(self.folder.join("cases")).arg("--report").arg(&report);
+        command.arg("--cases").arg(&cases).arg("--report").arg(&report);
         if self.plain {
             command.arg("--plain");
         }
-        let ran = command.stdin(Stdio::null()).output()?;
-        measured(&report).ok_or_else(|| MeasureError::Fuzz(last_lines(&ran.stderr)))
+        let said = ended(command, Duration::from_secs(u64::from(self.limit_s) + GRACE_S))?;
+        let report: Report = fs::read(&report)
+            .ok()
+            .and_then(|bytes| serde_json::from_slice(&bytes).ok())
+            .ok_or_else(|| MeasureError::Fuzz(last_lines(&said)))?;
+        let Some(first) = report.differences.first() else {
+            return Ok(Measured { found: false, seconds: report.seconds, cases: report.programs });
+        };
+        let case = cases.join(format!("case-{}.rll", first.program));
+        let mut again = Command::new(self.sound());
+        again.args(["fuzz", "--replay"]).arg(&case);
+        if !again.stdin(Stdio::null()).output()?.status.success() {
+            return Err(MeasureError::Sound(case));
+        }
+        Ok(Measured { found: true, seconds: first.after_seconds, cases: first.after_programs })
+    }
+
+    fn built(&self) -> PathBuf {
+        self.folder.join("build/defects/twinrung")
+    }
+
+    fn sound(&self) -> PathBuf {
+        self.folder.join("twinrung-without-a-defect")
     }
 }
 
-fn measured(report: &Path) -> Option<Measured> {
-    let report: Report = serde_json::from_slice(&fs::read(report).ok()?).ok()?;
-    Some(match report.differences.first() {
-        Some(first) => Measured { found: true, seconds: first.after_seconds, cases: first.after_programs },
-        None => Measured { found: false, seconds: report.seconds, cases: report.programs },
-    })
+/// Seconds beyond the limit after which the fuzzer is taken to hang: a defect may keep an interpreter from ever ending.
+const GRACE_S: u64 = 60;
+
+/// What a program said on its standard error until it ended, or was ended.
+fn ended(mut command: Command, limit: Duration) -> Result<Vec<u8>, MeasureError> {
+    let mut child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
+    let mut errors = child.stderr.take();
+    let reader = thread::spawn(move || {
+        let mut said = Vec::new();
+        let read = errors.as_mut().map_or(Ok(0), |errors| errors.read_to_end(&mut said));
+        read.map(|_| said)
+    });
+    let begun = Instant::now();
+    while child.try_wait()?.is_none() {
+        if begun.elapsed() > limit {
+            child.kill()?;
+            child.wait()?;
+            return Err(MeasureError::Fuzz(format!("it did not end within {} s", limit.as_secs())));
+        }
+        thread::sleep(Duration::from_millis(50));
+    }
+    Ok(reader.join().unwrap_or_else(|_| Ok(Vec::new()))?)
 }
 
 /// The last lines that a program said.

@@ -58,7 +58,8 @@ impl<'p> Judge<'p> {
         match self.memory.get_mut(target) {
             Value::Bit(to) => *to = value != 0,
             Value::Integer(Element::Dint, to) => *to = value,
-            Value::Real(to) => *to = value as u32,
+            // A NaN takes its one form, as wherever a number is stored (REQ-EXEC-003).
+            Value::Real(to) => *to = crate::arithmetic::canonical(value as u32),
             other => panic!("not a member of a backing tag: {other:?}"),
         }
     }

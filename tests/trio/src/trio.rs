@@ -262,6 +262,7 @@ impl Contest for Trios {
 
 impl Evaluators for Trio<'_> {
     fn set(&mut self, values: &[(Signal, Value)]) {
+        self.executions.set(values);
         self.set_signals(values);
     }
 

@@ -5,22 +5,28 @@
 
 mod campaign;
 mod case;
+mod cases;
 mod contest;
 mod coverage;
 mod executions;
+mod guided;
+mod listing;
 mod pair;
+mod plan;
 mod replay;
 mod report;
 mod shrink;
 mod subject;
 mod system_values;
 
-pub use campaign::{Campaign, Failure, Found, Ran, ran, size_of};
+pub use campaign::Campaign;
 pub use case::{Case, CaseError};
+pub use cases::{Failure, Found, Ran, ran, size_of};
 pub use contest::{Contest, Ended, Evaluators};
-pub use coverage::Coverage;
+pub use coverage::{Bits, Coverage, Point, Universe};
 pub use executions::Executions;
 pub use pair::{Pair, Pairs};
+pub use plan::{Plan, Told};
 pub use replay::{Counts, Outcome, is_replaying, replay};
 pub use report::{DifferenceFound, Report};
 pub use shrink::shrink;

@@ -60,6 +60,7 @@ impl<A: Channel, B: Channel> Pair<'_, A, B> {
 
 impl<A: Channel, B: Channel> Evaluators for Pair<'_, A, B> {
     fn set(&mut self, values: &[(Signal, Value)]) {
+        self.executions.set(values);
         for (signal, value) in values {
             cells::write(&mut self.first, *signal, cells::held(*value));
             cells::write(&mut self.second, *signal, cells::held(*value));

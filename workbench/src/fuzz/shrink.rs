@@ -134,7 +134,9 @@ fn without_instruction(text: &str, at: usize) -> Option<String> {
 /// The stimulus without tags that the text declares no more.
 fn only_declared(stimulus: &Stimulus, text: &str) -> Stimulus {
     let declared = |name: &str| {
-        let base = name.split(['.', '[']).next().unwrap_or(name);
+        // A tag of a program is `Program:Name.Tag`, and stands in the text as `Tag`.
+        let own = name.strip_prefix("Program:").and_then(|rest| rest.split_once('.')).map_or(name, |(_, own)| own);
+        let base = own.split(['.', '[']).next().unwrap_or(own);
         text.lines().any(|line| line.trim_start().strip_prefix(base).is_some_and(|rest| rest.starts_with(" : ")))
     };
     let mut kept = stimulus.clone();

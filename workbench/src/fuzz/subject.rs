@@ -3,7 +3,7 @@
 use twinrung_bytecode::{AdmittedImage, admit};
 use twinrung_compiler::diagnostic::Finding;
 use twinrung_compiler::project::{RoutineId, TagId};
-use twinrung_compiler::{CheckedProject, Completion, check, compile};
+use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
 use twinrung_grammar::read;
 use twinrung_grammar::tree::Sources;
 
@@ -39,13 +39,23 @@ impl Subject {
                 .map(|finding| line(&sources, finding))
                 .collect());
         };
-        Ok(Subject::from_project(project))
+        match compile(&project) {
+            Ok(compiled) => Ok(Subject::of_image(project, compiled)),
+            // A program beyond a limit is the user's; a defect of ours is to be heard.
+            Err(finding) if finding.code.id.starts_with('D') => panic!("{}", line(&sources, &finding)),
+            Err(finding) => Err(vec![line(&sources, &finding)]),
+        }
     }
 
-    /// Compiles a checked project. Panics when the loader refuses what the compiler made: that is a defect of ours.
+    /// Compiles a checked project. Panics when it is beyond a limit, or when the loader refuses what the compiler made: that is
+    /// a defect of ours.
     pub fn from_project(project: CheckedProject) -> Subject {
         let compiled =
             compile(&project).unwrap_or_else(|finding| panic!("a checked project does not compile: {finding:?}"));
+        Subject::of_image(project, compiled)
+    }
+
+    fn of_image(project: CheckedProject, compiled: CompiledImage) -> Subject {
         let (bytes, tags, routines) = (compiled.bytes, compiled.tags, compiled.routines);
         let image = admit(&bytes).unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
         Subject { project, image, bytes, tags, routines }

@@ -1,6 +1,6 @@
 //! Tags, and the places within them that an operand can name.
 
-use twinrung_catalog::Element;
+use twinrung_catalog::{Element, MemberRole, PredefinedType};
 
 /// A type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Kind {
     Record(usize),
     /// An instance of an Add-On Instruction, by position.
     Instance(usize),
+    /// The backing tag of a safety application instruction.
+    Backing(&'static PredefinedType),
 }
 
 impl Kind {
@@ -180,6 +182,11 @@ fn expand(place: Place, records: &[Record], list: &mut Vec<Place>) {
     }
     for name in predefined.1 {
         list.push(member(name, Kind::Element(Element::Bool), 0, true));
+    }
+    if let Kind::Backing(backing) = place.kind {
+        for one in backing.members.iter().filter(|one| one.length == 0 && one.role != MemberRole::Internal) {
+            list.push(member(one.name, Kind::Element(one.element), 0, false));
+        }
     }
     if let Kind::Record(index) = place.kind {
         for one in &records[index].members {

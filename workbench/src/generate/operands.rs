@@ -4,7 +4,7 @@
 use twinrung_catalog::instructions::system::{ATTRIBUTES, Attribute};
 use twinrung_catalog::{Access, Element, Instruction, Opcode, OperandKind};
 
-use super::data::{Kind, Place, Role};
+use super::data::{Kind, Part, Place, Role};
 use super::literals;
 use super::writer::{Named, Subroutine, Writer};
 
@@ -62,6 +62,7 @@ impl Writer<'_> {
                     place.kind.is_structure()
                         && !place.is_array()
                         && place.writable
+                        && !is_alias(place)
                         && !off_timers.contains(&place.base)
                 };
                 self.place(fits).map(|named| named.text)
@@ -151,16 +152,20 @@ impl Writer<'_> {
             OperandKind::SystemAttribute => call.attribute.map(|one| one.name.to_owned()),
             OperandKind::SystemData(access) => {
                 let attribute = call.attribute?;
+                let needed = attribute.element.bytes() * attribute.length;
                 let fits = |place: &Place| {
-                    place.kind == Kind::Element(attribute.element)
-                        && (place.writable || !access.writes())
-                        && place.sizes().iter().product::<u32>()
-                            >= if attribute.length > 1 { attribute.length } else { 0 }
+                    let elements = place.sizes().iter().product::<u32>().max(1);
+                    let bytes = system_bytes(place.kind).map_or(0, |bytes| bytes * elements);
+                    (place.writable || !access.writes()) && bytes >= needed
                 };
-                let named = (0..8).find_map(|_| self.place(fits).filter(|one| one.count >= attribute.length))?;
+                let named = (0..8).find_map(|_| {
+                    let named = self.place(fits)?;
+                    let bytes = system_bytes(named.kind).unwrap_or_default() * named.count;
+                    (bytes >= needed).then_some(named)
+                })?;
                 Some(named.text)
             }
-            // Operands of safety application instructions, which have vectors of their own.
+            // Operands of safety application instructions: `guards` writes their calls.
             OperandKind::Choice(_)
             | OperandKind::Literal { .. }
             | OperandKind::SafetyBit { .. }
@@ -180,20 +185,27 @@ impl Writer<'_> {
         }
         let writes = access.writes();
         if self.random.percent(20)
-            && let Some(word) =
-                self.place(|place| place.kind.is_integer() && !place.is_array() && (place.writable || !writes))
+            && let Some(bit) = self.bit_of_word(writes, "")
         {
-            let bits = match word.kind {
-                Kind::Element(element) => u32::from(element.bits()),
-                _ => 8,
-            };
-            return Some(if self.random.percent(60) {
-                format!("{}.{}", word.text, self.random.below(bits as usize))
-            } else {
-                format!("{}.[{}]", word.text, self.subscript(bits))
-            });
+            return Some(bit);
         }
         self.element(Element::Bool, writes).map(|named| named.text)
+    }
+
+    /// A bit of an integer, by number or by a tag, that does not lie in a tag.
+    pub fn bit_of_word(&mut self, writes: bool, but: &str) -> Option<String> {
+        let kind = Kind::Element(*self.random.of(&[Element::Sint, Element::Int, Element::Dint]));
+        let fits = |place: &Place| place.kind == kind && !place.is_array() && (place.writable || !writes);
+        let word = self.place(|place| fits(place) && place.base != but)?;
+        let bits = match word.kind {
+            Kind::Element(element) => u32::from(element.bits()),
+            _ => 8,
+        };
+        Some(if self.random.percent(60) {
+            format!("{}.{}", word.text, self.random.below(bits as usize))
+        } else {
+            format!("{}.[{}]", word.text, self.subscript(bits))
+        })
     }
 
     /// A number of any type, or an integer.
@@ -222,6 +234,15 @@ impl Writer<'_> {
         let is_off_timer = call.opcode == Some(Opcode::Tof);
         let text = if is_off_timer && !self.off_timers.is_empty() && self.random.percent(20) {
             self.random.of(&self.off_timers.clone()).clone()
+        } else if is_off_timer
+            && self.random.percent(30)
+            && let Some(named) = self.wished_place(|place| {
+                // In an Add-On Instruction any timer that it is given; in a program those that RES leaves alone.
+                let passed = place.base.starts_with(super::program::IN_OUT);
+                place.kind == kind && !place.is_array() && (place.base.starts_with("Off_") || passed)
+            })
+        {
+            named.text
         } else if !is_off_timer
             && self.random.percent(30)
             && let Some(named) = self.place(|place| place.kind == kind && !place.is_array() && place.writable)
@@ -268,8 +289,31 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        self.place(|place| place.kind == kind && !place.is_array() && (place.writable || !writes))
-            .map(|named| named.text)
+        self.place(|place| {
+            let whole = matches!(kind, Kind::Element(_)) || !is_alias(place);
+            place.kind == kind && !place.is_array() && (place.writable || !writes) && whole
+        })
+        .map(|named| named.text)
+    }
+}
+
+/// Whether a place is reached through another name. Structures that are reset or passed are not: the channels do not agree yet
+/// on which element such a name then means.
+fn is_alias(place: &Place) -> bool {
+    !matches!(place.parts.first(), Some(Part::Text(name)) if *name == place.base)
+}
+
+/// Bytes of one element, where GSV and SSV take such data.
+fn system_bytes(kind: Kind) -> Option<u32> {
+    match kind {
+        Kind::Element(Element::Sint | Element::Int | Element::Dint) | Kind::Timer | Kind::Counter | Kind::Control => {
+            class_of(kind)
+        }
+        Kind::Record(super::TWELVE) => class_of(kind),
+        // At least: two bytes of a packed part and its array.
+        Kind::Record(1) => Some(12),
+        Kind::Record(2) => Some(144),
+        _ => None,
     }
 }
 
@@ -280,7 +324,7 @@ fn copy_class(place: &Place) -> Option<u32> {
 
 fn class_of(kind: Kind) -> Option<u32> {
     match kind {
-        Kind::Element(Element::Bool) | Kind::Instance(_) => None,
+        Kind::Element(Element::Bool) | Kind::Instance(_) | Kind::Backing(_) => None,
         Kind::Element(element) => Some(element.bytes()),
         Kind::Timer | Kind::Counter | Kind::Control => Some(12),
         Kind::Record(super::TWELVE) => Some(12),

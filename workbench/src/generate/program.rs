@@ -1,17 +1,26 @@
 //! A whole program: types, Add-On Instructions, tags, programs with their routines, tasks.
 
+use std::collections::HashSet;
+
 use twinrung_catalog::Element;
+use twinrung_catalog::instructions::ALL;
 
 use super::data::{Kind, Member, Names, Record, Role, Variable};
 use super::random::Random;
 use super::writer::{AddOn, Parameter, Passing, Shared, Subroutine, Writer};
-use super::{Generated, Input, Size, literals, text};
+use super::{Actor, Generated, Input, Size, literals, text};
 
 const BOOL: Kind = Kind::Element(Element::Bool);
 const SINT: Kind = Kind::Element(Element::Sint);
 const INT: Kind = Kind::Element(Element::Int);
 const DINT: Kind = Kind::Element(Element::Dint);
 const REAL: Kind = Kind::Element(Element::Real);
+
+/// The position of the data type that holds a timer of TOF.
+const OFF: usize = 3;
+
+/// How the names of InOut parameters begin.
+pub const IN_OUT: &str = "Passed";
 
 /// The program of a seed.
 pub fn program(seed: u64, size: Size) -> Generated {
@@ -21,31 +30,58 @@ pub fn program(seed: u64, size: Size) -> Generated {
 /// The program that these choices make.
 pub fn program_of(random: &mut Random, size: Size) -> Generated {
     let mut shared = Shared { records: records(random), ..Shared::default() };
-    let mut body = String::new();
-    let listed = shared.records.clone();
-    listed.iter().for_each(|record| text::record(&mut body, record, &listed));
     shared.event_tasks = ["Report", "Log"].iter().take(random.between(1, 2)).map(|name| (*name).to_owned()).collect();
     let programs = random.between(1, size.programs);
     shared.programs =
         ["Safety_Main", "Safety_Second", "Safety_Third"].iter().take(programs).map(|name| (*name).to_owned()).collect();
-    for number in 0..random.between(0, size.add_ons) {
-        add_on(random, &mut shared, number, &mut body);
-    }
+    let add_ons: Vec<String> =
+        (0..random.between(0, size.add_ons)).map(|number| add_on(random, &mut shared, number)).collect();
+    random.gene();
     let mut outer = Names::default();
-    let inputs = controller_tags(random, &mut outer, &shared.records);
-    text::line_of(&mut body, 2, "TAG");
-    text::tags(&mut body, &outer.variables, &shared.records, &shared.add_ons, " (Class := Safety)");
-    text::line_of(&mut body, 2, "END_TAG");
+    let mut inputs = controller_tags(random, &mut outer, &shared.records);
+    let (mut body, mut actors) = (String::new(), Vec::new());
     for number in 0..programs {
-        safety_program(random, &shared, &outer, number, size, &mut body);
+        actors.extend(safety_program(random, &shared, &outer, number, size, &mut body));
     }
+    // What nothing uses is left out: it would cost time and show nothing.
+    for (own, add_on) in shared.add_ons.iter().zip(&add_ons).rev() {
+        if text::words(&body).contains(own.name.as_str()) {
+            body.insert_str(0, add_on);
+        }
+    }
+    let mut tags = String::new();
+    let kept = used(&outer.variables, &text::words(&body));
+    text::tags(&mut tags, &kept, &shared.records, &shared.add_ons, " (Class := Safety)");
+    inputs.retain(|input| {
+        let base = input.name.split(['.', '[']).next();
+        kept.iter().any(|one| Some(one.name.as_str()) == base)
+    });
     let mut whole = String::new();
     text::line_of(
         &mut whole,
         0,
         "CONTROLLER Random_Program (ProcessorType := \"1756-L73S\", Major := 20, SafetyNetwork := 16#0000_0000_0001_0001)",
     );
-    whole.push_str(&body);
+    let mut types = String::new();
+    let mut named = text::words(&tags);
+    named.extend(text::words(&body));
+    let mut named: HashSet<String> = named.into_iter().map(str::to_owned).collect();
+    for record in shared.records.iter().rev() {
+        if named.contains(&record.name) {
+            let mut one = String::new();
+            text::record(&mut one, record, &shared.records);
+            named.extend(text::words(&one).into_iter().map(str::to_owned));
+            types.insert_str(0, &one);
+        }
+    }
+    whole.push_str(&types);
+    // Add-On Instructions stand before the tags, programs behind them.
+    let at = body.find("  PROGRAM ").unwrap_or(body.len());
+    whole.push_str(&body[..at]);
+    text::line_of(&mut whole, 2, "TAG");
+    whole.push_str(&tags);
+    text::line_of(&mut whole, 2, "END_TAG");
+    whole.push_str(&body[at..]);
     text::line_of(
         &mut whole,
         2,
@@ -60,7 +96,17 @@ pub fn program_of(random: &mut Random, size: Size) -> Generated {
         text::line_of(&mut whole, 2, &line);
     }
     text::line_of(&mut whole, 0, "END_CONTROLLER");
-    Generated { text: whole, inputs }
+    Generated { text: whole, inputs, actors }
+}
+
+/// The variables that a text names, and those that these are aliases of.
+fn used(variables: &[Variable], words: &HashSet<&str>) -> Vec<Variable> {
+    let named: Vec<&Variable> = variables.iter().filter(|one| words.contains(one.name.as_str())).collect();
+    let meant = |one: &&Variable| {
+        let base = |alias: &String| alias.split(['.', '[']).next() == Some(one.name.as_str());
+        named.iter().any(|other| other.name == one.name || other.alias.as_ref().is_some_and(base))
+    };
+    variables.iter().filter(meant).cloned().collect()
 }
 
 /// Data types: one with the size of a TIMER, one with a packed bit and arrays, one that nests both.
@@ -86,10 +132,13 @@ fn records(random: &mut Random) -> Vec<Record> {
     };
     let mut members = vec![
         member("Parts", Kind::Record(1), 2),
+        member("Tally", Kind::Counter, 0),
+        member("Search", Kind::Control, 0),
         member("Wait", Kind::Timer, 0),
         member("Waits", Kind::Timer, 2),
         member("Step", INT, 0),
         member("Grid", DINT, 4),
+        member("Journal", DINT, 12),
         member("Exact", Kind::Record(0), 0),
         member("Level", REAL, 2),
     ];
@@ -98,7 +147,21 @@ fn records(random: &mut Random) -> Vec<Record> {
         let other = random.below(at + 1);
         members.swap(at, other);
     }
-    vec![twelve, inner, Record { name: "Outer".to_owned(), members }]
+    let off = Record { name: "Off".to_owned(), members: vec![member("Late", Kind::Timer, 0)] };
+    let outer = Record { name: "Outer".to_owned(), members };
+    // One for each type that backs a safety instruction: a member is as good a backing tag as a tag.
+    let safety = ALL.iter().filter_map(|instruction| instruction.safety);
+    let holders = safety.map(|safety| Record {
+        name: format!("Holder_{}", safety.backing.name),
+        members: vec![member("Count", DINT, 0), member("Held", Kind::Backing(safety.backing), 0)],
+    });
+    let mut records = vec![twelve, inner, outer, off];
+    for holder in holders {
+        if records.iter().all(|record| record.name != holder.name) {
+            records.push(holder);
+        }
+    }
+    records
 }
 
 fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -> Vec<Input> {
@@ -110,6 +173,8 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
         drive(format!("In{number}"), Element::Bool, None);
         add(Variable::new(format!("Out{number}"), BOOL));
     }
+    // The length of the last list, which is the one of REALs.
+    let mut reals = 0;
     for element in [Element::Sint, Element::Int, Element::Dint, Element::Real] {
         for number in 0..3 {
             let name = format!("{}{number}", element.name());
@@ -118,6 +183,7 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
             add(Variable::new(name, Kind::Element(element)).initial(initial(random, element)));
         }
         let length = random.between(4, 12) as u32;
+        reals = length;
         add(Variable::new(format!("List_{}", element.name()), Kind::Element(element)).array([length, 0, 0]));
     }
     for (name, kind, dimensions) in [
@@ -125,6 +191,8 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
         ("Solid", INT, [2, 3, 4]),
         ("Cube", REAL, [2, 2, 2]),
         ("Bytes", SINT, [4, 3, 0]),
+        ("Journal", SINT, [48, 0, 0]),
+        ("Records", INT, [24, 0, 0]),
         ("Words", DINT, [14, 0, 0]),
         ("Bits", BOOL, [64, 0, 0]),
         ("Timers", Kind::Timer, [4, 0, 0]),
@@ -173,8 +241,30 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
         ("Alias_Word", "Plane[1,2]", DINT),
         ("Alias_Bit", "Dint0.17", BOOL),
         ("Alias_Part", "Outer_One.Parts[1]", Kind::Record(1)),
+        ("Alias_Exact", "Exacts[1]", Kind::Record(0)),
+        ("Alias_Real", "Cube[0,1,0]", REAL),
+        ("Alias_Half", "Solid[1,0,1]", INT),
+        ("Alias_Byte", "Bytes[2,1]", SINT),
+        ("Alias_Flag", "Bits[7]", BOOL),
+        ("Alias_Timer", "Timers[1]", Kind::Timer),
+        ("Alias_Counter", "Counters[2]", Kind::Counter),
+        ("Alias_Control", "Controls[1]", Kind::Control),
     ] {
         add(Variable { alias: Some(target.to_owned()), ..Variable::new(name, kind) });
+    }
+    // Timers that nothing but TOF writes: RES must not name them.
+    add(Variable::new("Off_Timers", Kind::Timer).array([3, 0, 0]).role(Role::Owned));
+    add(Variable::new("Off_One", Kind::Record(OFF)).role(Role::Owned));
+    let off = Variable::new("Off_Alias", Kind::Timer).role(Role::Owned);
+    add(Variable { alias: Some("Off_Timers[2]".to_owned()), ..off });
+    for (name, target, kind, length) in [
+        ("Alias_List", "Words", DINT, 14),
+        ("Alias_Exacts", "Exacts", Kind::Record(0), 4),
+        ("Alias_Reals", "List_REAL", REAL, 0),
+    ] {
+        let length = if length > 0 { length } else { reals };
+        let whole = Variable::new(name, kind).array([length, 0, 0]);
+        add(Variable { alias: Some(target.to_owned()), ..whole });
     }
     inputs
 }
@@ -204,6 +294,10 @@ fn writer<'w>(random: &'w mut Random, shared: &'w Shared, outer: &'w Names, own:
         fresh: 0,
         off_timers: Vec::new(),
         instances: Vec::new(),
+        scope: None,
+        actors: Vec::new(),
+        guards: true,
+        passed_backings: Vec::new(),
         control: None,
     }
 }
@@ -212,7 +306,14 @@ fn passed_kind(random: &mut Random) -> Kind {
     *random.of(&[BOOL, SINT, INT, DINT, DINT, REAL, REAL, Kind::Record(0), Kind::Record(1), Kind::Timer])
 }
 
-fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: usize, size: Size, body: &mut String) {
+fn safety_program(
+    random: &mut Random,
+    shared: &Shared,
+    outer: &Names,
+    number: usize,
+    size: Size,
+    body: &mut String,
+) -> Vec<Actor> {
     let mut own = Names::default();
     for (name, kind, dimensions) in [
         ("Own_Bit", BOOL, [0; 3]),
@@ -233,6 +334,7 @@ fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: u
     let mut outer = outer.clone();
     outer.places.retain(|place| place.base != "Dint2");
     outer.variables.retain(|one| one.name != "Dint2");
+    random.gene();
     let subroutines: Vec<Subroutine> = (0..random.between(0, size.subroutines))
         .map(|at| Subroutine {
             name: format!("Part{at}"),
@@ -243,6 +345,7 @@ fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: u
     let has_fault_routine = random.percent(60);
     let clears = random.below(4);
     let mut writer = writer(random, shared, &outer, &mut own);
+    writer.scope = Some(format!("Program:{}.", shared.programs[number]));
     writer.fault_routine = has_fault_routine.then(|| "Handler".to_owned());
     let mut routines: Vec<(String, Vec<String>)> = Vec::new();
     writer.subroutines = subroutines.clone();
@@ -259,6 +362,7 @@ fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: u
         writer.subroutines = subroutines[at + 1..].to_vec();
         writer.returns = subroutine.returns.clone();
         let mut list = received(&mut writer, subroutine);
+        writer.random.gene();
         let rungs = writer.random.between(1, (size.rungs / 4).max(2));
         list.extend(writer.rungs(rungs));
         let return_call = writer.call(twinrung_catalog::Opcode::Ret.instruction());
@@ -283,13 +387,18 @@ fn safety_program(random: &mut Random, shared: &Shared, outer: &Names, number: u
         }
         routines.push(("Handler".to_owned(), list));
     }
+    let actors = std::mem::take(&mut writer.actors);
+    let mut rungs = String::new();
+    routines.iter().for_each(|(name, list)| text::routine(&mut rungs, name, list));
+    let kept = used(&own.variables, &text::words(&rungs));
     let fault = if has_fault_routine { ", FAULT := \"Handler\"" } else { "" };
     text::line_of(body, 2, &format!("PROGRAM {} (Class := Safety, MAIN := \"Main\"{fault})", shared.programs[number]));
     text::line_of(body, 4, "TAG");
-    text::tags(body, &own.variables, &shared.records, &shared.add_ons, "");
+    text::tags(body, &kept, &shared.records, &shared.add_ons, "");
     text::line_of(body, 4, "END_TAG");
-    routines.iter().for_each(|(name, rungs)| text::routine(body, name, rungs));
+    body.push_str(&rungs);
     text::line_of(body, 2, "END_PROGRAM");
+    actors
 }
 
 /// The rung that receives the inputs of a subroutine.
@@ -309,16 +418,29 @@ fn received(writer: &mut Writer<'_>, subroutine: &Subroutine) -> Vec<String> {
     vec![format!("SBR({}){after}", operands.join(","))]
 }
 
-fn add_on(random: &mut Random, shared: &mut Shared, number: usize, body: &mut String) {
+/// The text of an Add-On Instruction.
+fn add_on(random: &mut Random, shared: &mut Shared, number: usize) -> String {
+    random.gene();
+    let mut text = String::new();
+    let body = &mut text;
     let name = format!("Own_Instruction{number}");
     let mut own = Names::default();
     let mut parameters = Vec::new();
     let mut lines = Vec::new();
     for at in 0..random.between(1, 5) {
-        let passing = *random.of(&[Passing::Input, Passing::Input, Passing::Output, Passing::InOut]);
+        let passing = *random.of(&[Passing::Input, Passing::Input, Passing::Output, Passing::InOut, Passing::InOut]);
         let (kind, dimensions) = match passing {
+            Passing::InOut if random.percent(15) => {
+                let safety: Vec<_> = ALL.iter().filter_map(|instruction| instruction.safety).collect();
+                (Kind::Backing(random.of(&safety).backing), [0; 3])
+            }
             Passing::InOut => *random.of(&[
                 (DINT, [0; 3]),
+                (INT, [0; 3]),
+                (SINT, [0; 3]),
+                (REAL, [0; 3]),
+                (Kind::Counter, [0; 3]),
+                (Kind::Control, [0; 3]),
                 (DINT, [4, 0, 0]),
                 (REAL, [2, 2, 2]),
                 (INT, [2, 3, 4]),
@@ -331,7 +453,8 @@ fn add_on(random: &mut Random, shared: &mut Shared, number: usize, body: &mut St
             ]),
             _ => (*random.of(&[BOOL, BOOL, SINT, INT, DINT, REAL]), [0; 3]),
         };
-        let parameter = Parameter { name: format!("Given{at}"), kind, dimensions, passing };
+        let name = if passing == Passing::InOut { format!("{IN_OUT}{at}") } else { format!("Given{at}") };
+        let parameter = Parameter { name, kind, dimensions, passing };
         let usage = format!("{passing:?}");
         lines.push(format!(
             "{} : {}{} (Usage := {usage}, Required := Yes, Visible := Yes);",
@@ -350,7 +473,7 @@ fn add_on(random: &mut Random, shared: &mut Shared, number: usize, body: &mut St
         ("Half", INT, [0; 3], Role::Data),
         ("Whole", DINT, [0; 3], Role::Data),
         ("Exact", REAL, [0; 3], Role::Data),
-        ("Local_List", DINT, [5, 0, 0], Role::Data),
+        ("Local_List", DINT, [12, 0, 0], Role::Data),
         ("Local_Timers", Kind::Timer, [2, 0, 0], Role::Data),
         ("Local_Counter", Kind::Counter, [0; 3], Role::Data),
         ("Local_Control", Kind::Control, [0; 3], Role::Data),
@@ -369,6 +492,7 @@ fn add_on(random: &mut Random, shared: &mut Shared, number: usize, body: &mut St
     let mut writer = writer(random, shared, &hidden, &mut own);
     writer.in_add_on = true;
     let mut routines = vec![("Logic", writer.rungs(counts[0]))];
+    writer.guards = false;
     if in_false {
         routines.push(("EnableInFalse", writer.rungs(counts[1])));
     }
@@ -389,9 +513,16 @@ fn add_on(random: &mut Random, shared: &mut Shared, number: usize, body: &mut St
     lines.iter().for_each(|line| text::line_of(body, 6, line));
     text::line_of(body, 4, "END_PARAMETERS");
     text::line_of(body, 4, "LOCAL_TAGS");
-    text::tags(body, &own.variables[declared..], &shared.records, &shared.add_ons, "");
+    let mut rungs = String::new();
+    routines.iter().for_each(|(name, list)| text::routine(&mut rungs, name, list));
+    let kept = used(&own.variables[declared..], &text::words(&rungs));
+    text::tags(body, &kept, &shared.records, &shared.add_ons, "");
     text::line_of(body, 4, "END_LOCAL_TAGS");
-    routines.iter().for_each(|(name, rungs)| text::routine(body, name, rungs));
+    body.push_str(&rungs);
     text::line_of(body, 2, "END_ADD_ON_INSTRUCTION_DEFINITION");
-    shared.add_ons.push(AddOn { name, parameters });
+    let named = text::words(&rungs);
+    let guards = ALL.iter().any(|one| one.safety.is_some() && named.contains(one.mnemonic))
+        || shared.add_ons.iter().any(|one| one.guards && named.contains(one.name.as_str()));
+    shared.add_ons.push(AddOn { name, parameters, guards });
+    text
 }

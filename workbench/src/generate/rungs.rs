@@ -25,6 +25,7 @@ impl Writer<'_> {
     pub fn rungs(&mut self, count: usize) -> Vec<String> {
         let mut rungs = Vec::new();
         while rungs.len() < count {
+            self.random.gene();
             match self.random.below(40) {
                 0 => self.bounded_loop(&mut rungs),
                 1..=2 if !self.in_add_on => self.zone(&mut rungs),
@@ -33,6 +34,8 @@ impl Writer<'_> {
                     rungs.push(rung);
                 }
                 4 => rungs.extend(self.raised_fault()),
+                5..=12 if self.guards => self.guard(&mut rungs),
+                13..=20 if self.guards && self.in_add_on => self.guard(&mut rungs),
                 _ => {
                     let rung = self.labelled_rung();
                     rungs.push(rung);
@@ -152,11 +155,18 @@ impl Writer<'_> {
     fn add_on_call(&mut self) -> Option<String> {
         let which = self.random.below(self.shared.add_ons.len());
         let add_on = &self.shared.add_ons[which];
+        if add_on.guards && !self.guards {
+            return None;
+        }
+        let again = !add_on.guards;
         let known: Vec<String> =
             self.instances.iter().filter(|(one, _)| *one == which).map(|(_, name)| name.clone()).collect();
         let mut arguments = Vec::new();
         for parameter in &add_on.parameters {
             arguments.push(match parameter.passing {
+                Passing::InOut if matches!(parameter.kind, Kind::Backing(_)) => {
+                    self.declare("Guard", parameter.kind, Role::Owned)
+                }
                 Passing::InOut => {
                     let (kind, dimensions) = (parameter.kind, parameter.dimensions);
                     self.constant_place(|place| {
@@ -186,7 +196,7 @@ impl Writer<'_> {
                 }
             });
         }
-        let instance = if !known.is_empty() && self.random.percent(25) {
+        let instance = if again && !known.is_empty() && self.random.percent(25) {
             self.random.of(&known).clone()
         } else {
             let name = self.declare("Instance", Kind::Instance(which), Role::Owned);

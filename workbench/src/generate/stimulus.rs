@@ -5,7 +5,8 @@ use twinrung_catalog::Element;
 use crate::signal::Value;
 
 use super::random::Random;
-use super::{Generated, Input, literals};
+use super::safety::Driver;
+use super::{Actor, Generated, Input, literals};
 
 /// One scan.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,11 +39,17 @@ pub fn stimulus(seed: u64, generated: &Generated, scans: usize) -> Stimulus {
 pub fn stimulus_of(random: &mut Random, generated: &Generated, scans: usize) -> Stimulus {
     let period_ms = *random.of(&[10, 10, 10, 20, 5]);
     let mut now_ms = random.below(100_000) as i64;
+    let budget = if random.one_in(25) { random.between(20, 400) as u64 } else { 200_000 };
     let mut beyond = vec![false; generated.inputs.len()];
+    let mut troupe = Troupe::new(&generated.actors, period_ms);
     let mut steps = Vec::with_capacity(scans + 1);
     for scan in 0..=scans {
-        let values = if scan == 0 { first_values(random, generated) } else { moved(random, generated, &mut beyond) };
-        let prescan = scan == 0 || random.one_in(200);
+        random.gene();
+        let mut values =
+            if scan == 0 { first_values(random, generated) } else { moved(random, generated, &mut beyond) };
+        troupe.move_to(random, now_ms, &mut values);
+        // A prescan with a subscript out of range: the channels do not agree yet whether a safety instruction looks at it then.
+        let prescan = scan == 0 || random.one_in(200) && !beyond.contains(&true);
         let system_values = random.one_in(10).then(|| random.bits());
         steps.push(Step { now_ms, prescan, values, system_values });
         now_ms += match random.below(200) {
@@ -50,11 +57,66 @@ pub fn stimulus_of(random: &mut Random, generated: &Generated, scans: usize) -> 
             1 => 1,
             2..=5 => random.below(1000) as i64,
             6 => 3_000_000_000,
+            7..=90 => troupe.leap_ms(random, now_ms).unwrap_or(period_ms),
             _ => period_ms,
         };
     }
-    let budget = if random.one_in(25) { random.between(20, 400) as u64 } else { 200_000 };
     Stimulus { budget, steps }
+}
+
+/// The drivers of all calls whose operands move together.
+struct Troupe<'g> {
+    actors: &'g [Actor],
+    drivers: Vec<Driver>,
+    /// What each operand was last set to.
+    shown: Vec<Vec<i32>>,
+}
+
+impl<'g> Troupe<'g> {
+    fn new(actors: &'g [Actor], period_ms: i64) -> Troupe<'g> {
+        let drivers = actors.iter().map(|actor| Driver::new(&actor.call, period_ms)).collect();
+        let shown = actors.iter().map(|actor| vec![0; actor.tags.len()]).collect();
+        Troupe { actors, drivers, shown }
+    }
+
+    fn move_to(&mut self, random: &mut Random, now_ms: i64, values: &mut Vec<(String, Value)>) {
+        for ((actor, driver), shown) in self.actors.iter().zip(&mut self.drivers).zip(&mut self.shown) {
+            driver.advance(random, now_ms);
+            for (index, tag) in actor.tags.iter().enumerate() {
+                let (Some(tag), value) = (tag, driver.inputs.operands[index]) else { continue };
+                if std::mem::replace(&mut shown[index], value) != value {
+                    values.push((tag.name.clone(), held(tag.element, value)));
+                }
+            }
+        }
+    }
+
+    /// Time until something happens: the next change of an operand, or the end of a time that a call measures.
+    fn leap_ms(&self, random: &mut Random, now_ms: i64) -> Option<i64> {
+        if self.drivers.is_empty() {
+            return None;
+        }
+        if random.percent(70) {
+            let next = self.drivers.iter().filter_map(|driver| driver.next_ms(now_ms)).min()?;
+            return Some((next - now_ms).min(LEAP_MS));
+        }
+        let times = random.of(&self.drivers).times().configured_ms();
+        (!times.is_empty()).then(|| (random.of(times) + random.below(3) as i64 - 1).clamp(0, LEAP_MS))
+    }
+}
+
+/// The longest time without a scan that a leap makes, in ms: longer than most times of the instructions.
+const LEAP_MS: i64 = 40_000;
+
+/// A driver's number as a value of the tag's type.
+fn held(element: Element, value: i32) -> Value {
+    match element {
+        Element::Bool => Value::Bool(value != 0),
+        Element::Sint => Value::Integer(i32::from(value as i8)),
+        Element::Int => Value::Integer(i32::from(value as i16)),
+        Element::Dint => Value::Integer(value),
+        Element::Real => Value::Real(f32::from_bits(value as u32)),
+    }
 }
 
 fn first_values(random: &mut Random, generated: &Generated) -> Vec<(String, Value)> {

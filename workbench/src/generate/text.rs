@@ -1,5 +1,6 @@
 //! Declarations as text.
 
+use std::collections::HashSet;
 use std::fmt::Write;
 
 use super::data::{Kind, Record, Variable};
@@ -14,6 +15,7 @@ pub fn type_name(kind: Kind, records: &[Record], add_ons: &[AddOn]) -> String {
         Kind::Control => "CONTROL".to_owned(),
         Kind::Record(index) => records[index].name.clone(),
         Kind::Instance(index) => add_ons[index].name.clone(),
+        Kind::Backing(backing) => backing.name.to_owned(),
     }
 }
 
@@ -67,6 +69,11 @@ pub fn record(text: &mut String, record: &Record, records: &[Record]) {
         }
     }
     line_of(text, 2, "END_DATATYPE");
+}
+
+/// The words of a text that can be names.
+pub fn words(text: &str) -> HashSet<&str> {
+    text.split(|one: char| !one.is_ascii_alphanumeric() && one != '_').collect()
 }
 
 /// An indented line.

@@ -2,6 +2,7 @@
 
 use twinrung_catalog::Element;
 
+use super::Actor;
 use super::data::{Kind, Names, Part, Place, Record, Role, Variable};
 use super::random::Random;
 
@@ -35,6 +36,8 @@ pub struct Parameter {
 pub struct AddOn {
     pub name: String,
     pub parameters: Vec<Parameter>,
+    /// Whether safety instructions are called in it, or in what it calls: an instance then serves one call.
+    pub guards: bool,
 }
 
 /// What all routines share.
@@ -56,6 +59,53 @@ pub struct Named {
     pub count: u32,
     /// Sizes of the array that it is, or is an element of.
     pub sizes: Vec<u32>,
+}
+
+/// How subscripts are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Subscripts {
+    Any,
+    Numbers,
+    Tags,
+    Expressions,
+}
+
+/// A way to reach data.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wish {
+    Tag,
+    Member,
+    Element,
+    ElementByTag,
+    ElementByExpression,
+    Alias,
+    InOut,
+}
+
+impl Wish {
+    const ALL: &[Wish] = &[
+        Wish::Tag,
+        Wish::Member,
+        Wish::Element,
+        Wish::ElementByTag,
+        Wish::ElementByExpression,
+        Wish::Alias,
+        Wish::InOut,
+        Wish::InOut,
+    ];
+
+    fn is_met(self, place: &Place) -> bool {
+        let Some(Part::Text(first)) = place.parts.first() else { return false };
+        match self {
+            Wish::Tag => place.parts.len() == 1 && *first == place.base,
+            Wish::Member => place.parts.iter().any(|part| matches!(part, Part::Text(text) if text.starts_with('.'))),
+            Wish::Element | Wish::ElementByTag | Wish::ElementByExpression => {
+                place.parts.iter().any(|part| matches!(part, Part::Subscripts(_)))
+            }
+            Wish::Alias => *first != place.base,
+            Wish::InOut => first.starts_with(super::program::IN_OUT),
+        }
+    }
 }
 
 /// Writes the rungs of one routine.
@@ -80,6 +130,15 @@ pub struct Writer<'w> {
     pub off_timers: Vec<String>,
     /// Instances of Add-On Instructions.
     pub instances: Vec<(usize, String)>,
+    /// What stands before a name of `own` for somebody outside; nothing where its tags cannot be driven.
+    pub scope: Option<String>,
+    /// Whether safety instructions are called: not in a routine that a prescan does not reach, since it is open what they hold
+    /// before their first prescan.
+    pub guards: bool,
+    /// InOut parameters that back a call already.
+    pub passed_backings: Vec<String>,
+    /// Calls whose operands the stimulus moves together.
+    pub actors: Vec<Actor>,
     /// The CONTROL tag of the FAL or FSC that is being written.
     pub control: Option<String>,
 }
@@ -95,14 +154,30 @@ impl Writer<'_> {
 
     /// A random place that fits, subscripts written; none where nothing fits.
     pub fn place(&mut self, fits: impl Fn(&Place) -> bool) -> Option<Named> {
+        if self.random.percent(12) {
+            return self.wished_place(fits);
+        }
         let place = self.open_place(fits)?;
-        Some(self.named(&place, false))
+        Some(self.named(&place, Subscripts::Any))
     }
 
     /// As `place`, with constant subscripts only.
     pub fn constant_place(&mut self, fits: impl Fn(&Place) -> bool) -> Option<Named> {
         let place = self.open_place(fits)?;
-        Some(self.named(&place, true))
+        Some(self.named(&place, Subscripts::Numbers))
+    }
+
+    /// As `place`, reached in a way that is drawn first: the rare ways then come as often as the frequent ones.
+    pub fn wished_place(&mut self, fits: impl Fn(&Place) -> bool) -> Option<Named> {
+        let wish = *self.random.of(Wish::ALL);
+        let place = self.open_place(|place| fits(place) && wish.is_met(place)).or_else(|| self.open_place(fits))?;
+        let subscripts = match wish {
+            Wish::Element => Subscripts::Numbers,
+            Wish::ElementByTag => Subscripts::Tags,
+            Wish::ElementByExpression => Subscripts::Expressions,
+            _ => Subscripts::Any,
+        };
+        Some(self.named(&place, subscripts))
     }
 
     fn open_place(&mut self, fits: impl Fn(&Place) -> bool) -> Option<Place> {
@@ -116,7 +191,7 @@ impl Writer<'_> {
         Some(if first.parts.len() <= second.parts.len() { first.clone() } else { second.clone() })
     }
 
-    fn named(&mut self, place: &Place, constant: bool) -> Named {
+    fn named(&mut self, place: &Place, subscripts: Subscripts) -> Named {
         let mut text = String::new();
         let mut count = 1;
         if place.is_array() {
@@ -130,12 +205,21 @@ impl Writer<'_> {
                     let mut written = Vec::new();
                     for (position, size) in sizes.iter().enumerate() {
                         let stride: u32 = sizes[position + 1..].iter().product();
-                        if constant || self.random.percent(45) {
+                        let number = match subscripts {
+                            Subscripts::Any => self.random.percent(45),
+                            Subscripts::Numbers => true,
+                            Subscripts::Tags | Subscripts::Expressions => false,
+                        };
+                        if number {
                             let number = self.random.below(*size as usize) as u32;
                             skipped += number * stride;
                             written.push(number.to_string());
                         } else {
-                            written.push(self.subscript(*size));
+                            written.push(match subscripts {
+                                Subscripts::Tags => self.index(*size),
+                                Subscripts::Expressions => format!("{}-{}", size - 1, self.index(*size)),
+                                Subscripts::Any | Subscripts::Numbers => self.subscript(*size),
+                            });
                         }
                     }
                     if at + 1 == place.parts.len() {
@@ -155,8 +239,7 @@ impl Writer<'_> {
         {
             return format!("{control}.POS");
         }
-        let fitting: Vec<String> = self.indices(size);
-        let one = if fitting.is_empty() { "0".to_owned() } else { self.random.of(&fitting).clone() };
+        let one = self.index(size);
         match self.random.below(12) {
             0 => {
                 let power = 1 << size.ilog2();
@@ -187,6 +270,12 @@ impl Writer<'_> {
             }
             _ => one,
         }
+    }
+
+    /// A tag that is mostly in range; 0 where there is none.
+    fn index(&mut self, size: u32) -> String {
+        let fitting = self.indices(size);
+        if fitting.is_empty() { "0".to_owned() } else { self.random.of(&fitting).clone() }
     }
 
     fn indices(&self, size: u32) -> Vec<String> {

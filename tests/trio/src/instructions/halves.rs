@@ -5,9 +5,10 @@ use twinrung_bytecode::observer::Silent;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::cells::{self, plain_bit, plain_word};
+use twinrung_workbench::generate::safety::{Call, Given};
 use twinrung_workbench::{Signal, names};
 
-use super::call::{Call, Given, operand_tag};
+use super::project::operand_tag;
 use crate::Subject;
 
 /// More than any program of calls executes in a scan.

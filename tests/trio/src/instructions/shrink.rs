@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::call::{Call, Given, program, value_text};
-use super::driver::Inputs;
+use twinrung_workbench::generate::safety::{Call, Given, Inputs, value_text};
+
 use super::halves::Halves;
+use super::project::program;
 use crate::Subject;
 
 /// The inputs of one call, scan by scan.

@@ -4,15 +4,14 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use twinrung_catalog::{Code, CodeWord, Opcode};
-use twinrung_safety_vectors::{Vector, for_instruction};
 use twinrung_workbench::Signal;
 
-use super::call::{Call, program};
-use super::driver::{Driver, Inputs};
 use super::halves::Halves;
+use super::project::program;
 use super::shrink::{Log, shrink};
 use crate::Subject;
 use twinrung_workbench::generate::Random;
+use twinrung_workbench::generate::safety::{Call, Driver, Inputs};
 
 /// Calls of one program: a load costs as much as thousands of scans.
 const CALLS: usize = 12;
@@ -58,21 +57,19 @@ pub struct Walked {
 impl Walk {
     /// Walks until so many executions are done, or differences show.
     pub fn run(self) -> Walked {
-        let vectors = for_instruction(self.opcode).unwrap_or_else(|error| panic!("{error}"));
         let (opcode, reached, differences) = (self.opcode, BTreeSet::new(), Vec::new());
         let mut walked = Walked { opcode, executions: 0, programs: 0, epochs: 0, reached, active: 0, differences };
         let mut random = Random::new(self.seed ^ (self.opcode as u64) << 32);
         while walked.executions < self.executions && walked.differences.len() < DIFFERENCES {
-            self.program(random.bits(), &vectors, &mut walked);
+            self.program(random.bits(), &mut walked);
         }
         walked
     }
 
-    fn program(self, seed: u64, vectors: &[Vector], walked: &mut Walked) {
+    fn program(self, seed: u64, walked: &mut Walked) {
         let random = &mut Random::new(seed);
         let instruction = self.opcode.instruction();
-        let admissible: Vec<Vector> = vectors.iter().filter(|vector| vector.is_admissible()).cloned().collect();
-        let calls: Vec<Call> = (0..CALLS).map(|_| Call::random(random, instruction, &admissible)).collect();
+        let calls: Vec<Call> = (0..CALLS).map(|_| Call::random(random, instruction)).collect();
         let text = program(&calls);
         let subject = Subject::from_text(&text).unwrap_or_else(|errors| panic!("{errors:#?}\n{text}"));
         let mut halves = Halves::new(&subject, &calls);
@@ -81,7 +78,7 @@ impl Walk {
         while scans < self.scans {
             let epoch = random.bits();
             let mut codes = Codes::new(instruction.safety.map_or(&[][..], |safety| safety.codes), &halves, calls.len());
-            let run = run_epoch(&mut halves, &calls, vectors, epoch, None, Some(&mut codes));
+            let run = run_epoch(&mut halves, &calls, epoch, None, Some(&mut codes));
             walked.epochs += 1;
             scans += run.scans;
             walked.executions += run.scans * CALLS as u64;
@@ -89,7 +86,7 @@ impl Walk {
             walked.reached.extend(codes.reached);
             if let Some(call) = run.differing {
                 let mut log = Log::default();
-                run_epoch(&mut halves, &calls, vectors, epoch, Some((call, &mut log)), None);
+                run_epoch(&mut halves, &calls, epoch, Some((call, &mut log)), None);
                 walked.differences.push(shrink(&calls[call], log));
                 return;
             }
@@ -107,7 +104,6 @@ struct Epoch {
 fn run_epoch(
     halves: &mut Halves,
     calls: &[Call],
-    vectors: &[Vector],
     seed: u64,
     mut log: Option<(usize, &mut Log)>,
     mut codes: Option<&mut Codes>,
@@ -116,7 +112,7 @@ fn run_epoch(
     let longest = calls.iter().map(Call::longest_period_ms).min().unwrap_or(500);
     let admitted: Vec<u32> = PERIODS_MS.iter().copied().filter(|period| *period <= longest).collect();
     let period_ms = i64::from(*random.of(&admitted));
-    let mut drivers: Vec<Driver<'_>> = calls.iter().map(|call| Driver::new(call, vectors, period_ms)).collect();
+    let mut drivers: Vec<Driver> = calls.iter().map(|call| Driver::new(call, period_ms)).collect();
     let is_uneven = random.percent(4);
     let mut now_ms = if random.percent(50) { 0 } else { (random.bits() >> 24) as i64 };
     let mut epoch = Epoch { scans: 0, active: 0, differing: None };

@@ -3,9 +3,11 @@
 use twinrung_catalog::Element;
 use twinrung_safety_vectors::Vector;
 
-use super::call::{Call, Given, element, values_of};
+use super::call::{Call, Given, element};
+use super::knowledge::Knowledge;
 use super::times::Times;
-use twinrung_workbench::generate::Random;
+use crate::generate::Random;
+use crate::generate::literals::REALS;
 
 /// Something that happens to the inputs of a call.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -109,7 +111,7 @@ fn script(mut events: Vec<(i64, Event)>, end_ms: i64) -> Episode {
 pub fn rhythm(
     random: &mut Random,
     call: &Call,
-    vectors: &[Vector],
+    knowledge: &Knowledge,
     times: &Times,
     now_ms: i64,
     length_ms: i64,
@@ -119,7 +121,8 @@ pub fn rhythm(
     for group in groups(call) {
         let name = call.member(group[0]);
         if group.len() == 1 && is_number(call, group[0]) {
-            numbers(random, group[0], &values_of(vectors, group[0]), times, (now_ms, end_ms), &mut events);
+            let known = (knowledge.values(group[0]), call.is_real(group[0]));
+            numbers(random, group[0], known, times, (now_ms, end_ms), &mut events);
         } else if name.contains("Reset") || name.ends_with("Ack") {
             pulses(random, &group, times, (now_ms, end_ms), &mut events);
         } else if is_status(name) {
@@ -263,19 +266,22 @@ fn device(
 fn numbers(
     random: &mut Random,
     index: usize,
-    known: &[i32],
+    (known, is_real): (&[i32], bool),
     times: &Times,
     (mut at, end): Span,
     events: &mut Vec<(i64, Event)>,
 ) {
     while at < end {
-        events.push((at, Event::Operand(index, number(random, known))));
+        events.push((at, Event::Operand(index, number(random, known, is_real))));
         at += times.hold_ms(random);
     }
 }
 
-/// A number that a vector uses, one beside it, or any.
-pub fn number(random: &mut Random, known: &[i32]) -> i32 {
+/// A number that a vector uses, one beside it, or any; a REAL as its bits.
+pub fn number(random: &mut Random, known: &[i32], is_real: bool) -> i32 {
+    if is_real && random.one_in(8) {
+        return *random.of(REALS) as i32;
+    }
     match random.below(20) {
         0 => random.bits() as i32,
         1 => *random.of(&[0, 1, -1, i32::MAX, i32::MIN]),

@@ -3,10 +3,11 @@
 use twinrung_catalog::Element;
 use twinrung_safety_vectors::Vector;
 
-use super::call::{Call, Given, element, values_of};
+use super::call::{Call, Given, element};
 use super::episode::{Episode, Event, jittered, number, rhythm};
+use super::knowledge::{Knowledge, knowledge};
 use super::times::Times;
-use twinrung_workbench::generate::Random;
+use crate::generate::Random;
 
 /// The inputs of a call in one scan.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,9 +19,9 @@ pub struct Inputs {
 }
 
 /// Drives one call.
-pub struct Driver<'v> {
+pub struct Driver {
     call: Call,
-    vectors: &'v [Vector],
+    knowledge: &'static Knowledge,
     times: Times,
     period_ms: i64,
     episode: Episode,
@@ -33,9 +34,9 @@ pub struct Driver<'v> {
     pub inputs: Inputs,
 }
 
-impl<'v> Driver<'v> {
+impl Driver {
     /// A driver whose first episode begins with the first scan.
-    pub fn new(call: &Call, vectors: &'v [Vector], period_ms: i64) -> Driver<'v> {
+    pub fn new(call: &Call, period_ms: i64) -> Driver {
         let is_feedback =
             |index: &usize| call.operands[*index] == Given::Tag && call.member(*index).starts_with("Feedback");
         Driver {
@@ -43,7 +44,7 @@ impl<'v> Driver<'v> {
             feedbacks: (0..call.operands.len()).filter(is_feedback).collect(),
             inputs: Inputs { rung: true, operands: vec![0; call.operands.len()] },
             call: call.clone(),
-            vectors,
+            knowledge: knowledge(call.instruction.opcode),
             period_ms,
             episode: Episode::Noise { chance: 0, end_ms: i64::MIN },
             follows: None,
@@ -95,6 +96,20 @@ impl<'v> Driver<'v> {
         }
     }
 
+    /// When the next change of a script is due, after a time in ms.
+    pub fn next_ms(&self, after_ms: i64) -> Option<i64> {
+        let scripted = match &self.episode {
+            Episode::Script { events, next, end_ms } => Some(events.get(*next).map_or(*end_ms, |(at, _)| *at)),
+            Episode::Noise { .. } => None,
+        };
+        scripted.into_iter().chain(self.pending.iter().map(|(at, ..)| *at)).filter(|at| *at > after_ms).min()
+    }
+
+    /// The durations that matter to its call.
+    pub fn times(&self) -> &Times {
+        &self.times
+    }
+
     /// Looks at the output after a scan: where feedbacks follow it they will.
     pub fn observe(&mut self, random: &mut Random, output: i32, now_ms: i64) {
         let Some(delay_ms) = self.follows else { return };
@@ -112,7 +127,7 @@ impl<'v> Driver<'v> {
     fn any(&self, random: &mut Random, index: usize) -> i32 {
         match element(self.call.kind(index)) {
             Element::Bool => random.below(2) as i32,
-            _ => number(random, &values_of(self.vectors, index)),
+            element => number(random, self.knowledge.values(index), element == Element::Real),
         }
     }
 
@@ -125,11 +140,11 @@ impl<'v> Driver<'v> {
     fn begin(&mut self, random: &mut Random, now_ms: i64) {
         let length_ms = self.period_ms * random.between(60, 600) as i64;
         self.episode = match random.below(20) {
-            0..=10 if !self.vectors.is_empty() => {
+            0..=10 if !self.knowledge.vectors.is_empty() => {
                 let vector = self.fitting(random);
                 jittered(random, &self.call, vector, now_ms, self.period_ms)
             }
-            11..=17 => rhythm(random, &self.call, self.vectors, &self.times, now_ms, length_ms),
+            11..=17 => rhythm(random, &self.call, self.knowledge, &self.times, now_ms, length_ms),
             _ => Episode::Noise { chance: *random.of(&[5, 20, 100, 500]), end_ms: now_ms + length_ms / 2 },
         };
         self.follows = None;
@@ -142,19 +157,19 @@ impl<'v> Driver<'v> {
     }
 
     /// A vector, one with this call's configuration if the first draws find one.
-    fn fitting(&self, random: &mut Random) -> &'v Vector {
+    fn fitting(&self, random: &mut Random) -> &'static Vector {
         let is_alike = |vector: &Vector| {
             vector.configuration.iter().all(|setting| match self.call.operands[setting.operand] {
                 Given::Literal(value) => value == setting.value,
                 Given::Tag => true,
             })
         };
-        let mut vector = random.of(self.vectors);
+        let mut vector = random.of(&self.knowledge.vectors);
         for _ in 0..random.between(0, 30) {
             if is_alike(vector) {
                 break;
             }
-            vector = random.of(self.vectors);
+            vector = random.of(&self.knowledge.vectors);
         }
         vector
     }

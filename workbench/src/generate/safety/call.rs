@@ -5,7 +5,9 @@ use std::fmt::Write;
 use twinrung_catalog::{Element, Instruction, OperandKind, Relation};
 use twinrung_safety_vectors::Vector;
 
-use twinrung_workbench::generate::Random;
+use crate::generate::Random;
+
+use super::knowledge::{Knowledge, knowledge};
 
 /// What stands in an operand's place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,10 +29,11 @@ pub struct Call {
 
 impl Call {
     /// A call with the configuration of a vector, a changed one, or any that the catalog admits.
-    pub fn random(random: &mut Random, instruction: &'static Instruction, vectors: &[Vector]) -> Call {
-        let like = (!vectors.is_empty() && random.percent(75)).then(|| random.of(vectors));
+    pub fn random(random: &mut Random, instruction: &'static Instruction) -> Call {
+        let known = knowledge(instruction.opcode);
+        let like = (!known.admissible.is_empty() && random.percent(75)).then(|| random.of(&known.admissible));
         loop {
-            let call = Call { instruction, operands: operands(random, instruction, vectors, like) };
+            let call = Call { instruction, operands: operands(random, instruction, known, like) };
             if call.keeps_relations() {
                 return call;
             }
@@ -88,7 +91,8 @@ impl Call {
         (0..self.operands.len()).any(|index| self.is_real(index))
     }
 
-    fn is_real(&self, index: usize) -> bool {
+    /// Whether an operand is a REAL.
+    pub fn is_real(&self, index: usize) -> bool {
         matches!(self.kind(index), OperandKind::SafetyReal { .. })
     }
 
@@ -123,28 +127,15 @@ pub fn value_text(kind: OperandKind, value: i32) -> String {
     }
 }
 
-/// Values that the vectors give to an operand.
-pub fn values_of(vectors: &[Vector], index: usize) -> Vec<i32> {
-    let of = |vector: &Vector| {
-        let steps = vector.steps.iter().flat_map(|step| &step.inputs);
-        let all = steps.chain(&vector.configuration).filter(|setting| setting.operand == index);
-        all.map(|setting| setting.value).collect::<Vec<i32>>()
-    };
-    let mut values: Vec<i32> = vectors.iter().flat_map(of).collect();
-    values.sort_unstable();
-    values.dedup();
-    values
-}
-
 fn operands(
     random: &mut Random,
     instruction: &'static Instruction,
-    vectors: &[Vector],
+    knowledge: &Knowledge,
     like: Option<&Vector>,
 ) -> Vec<Given> {
     let list = instruction.operands.iter().skip(1).enumerate();
     list.map(|(index, operand)| {
-        let known = values_of(vectors, index);
+        let known = knowledge.values(index);
         let configured = like.and_then(|one| one.configuration.iter().find(|setting| setting.operand == index));
         if let Some(value) = configured.map(|setting| setting.value).filter(|value| is_admitted(operand.kind, *value))
             && random.percent(92)
@@ -152,12 +143,12 @@ fn operands(
             return Given::Literal(value);
         }
         let immediate = match operand.kind {
-            OperandKind::SafetyBit { immediate } => immediate && random.percent(4),
+            OperandKind::SafetyBit { immediate } => immediate && random.percent(12),
             OperandKind::SafetyInteger { immediate, .. } => immediate.is_some() && random.percent(35),
             OperandKind::SafetyReal { immediate, .. } => immediate && random.percent(35),
             _ => true,
         };
-        if immediate { Given::Literal(literal(random, operand.kind, &known)) } else { Given::Tag }
+        if immediate { Given::Literal(literal(random, operand.kind, known)) } else { Given::Tag }
     })
     .collect()
 }
@@ -192,9 +183,12 @@ fn literal(random: &mut Random, kind: OperandKind, known: &[i32]) -> i32 {
             5 if is_admitted(kind, 0) => 0,
             _ => in_range(random, least, greatest) / step.max(1) * step.max(1),
         },
-        OperandKind::SafetyInteger { immediate: Some((least, greatest)), .. } => {
-            if known.is_empty() || random.percent(20) { in_range(random, least, greatest) } else { *random.of(&known) }
-        }
+        OperandKind::SafetyInteger { immediate: Some((least, greatest)), .. } => match random.below(8) {
+            0 => least,
+            1 => greatest,
+            2..=5 if !known.is_empty() => *random.of(&known),
+            _ => in_range(random, least, greatest),
+        },
         OperandKind::SafetyReal { .. } => {
             if known.is_empty() {
                 random.between(0, 100) as f32 as i32
@@ -213,40 +207,6 @@ fn in_range(random: &mut Random, least: i32, greatest: i32) -> i32 {
     let shift = random.between(64 - bits.max(1), 63);
     let offset = (random.bits() >> shift).min(width);
     (i64::from(least) + offset as i64) as i32
-}
-
-/// A project with these calls, each on a rung of its own with a tag of its own for everything.
-pub fn program(calls: &[Call]) -> String {
-    let (mut tags, mut rungs) = (String::new(), String::new());
-    for (number, call) in calls.iter().enumerate() {
-        let backing = call.instruction.safety.map_or("", |safety| safety.backing.name);
-        let _ = writeln!(tags, "Backing_{number} : {backing} (Class := Safety);");
-        let _ = writeln!(tags, "Rung_{number} : BOOL (Class := Safety);");
-        let mut operands = vec![format!("Backing_{number}")];
-        for (index, given) in call.operands.iter().enumerate() {
-            operands.push(match given {
-                Given::Literal(value) if call.is_real(index) => value_text(call.kind(index), *value),
-                Given::Literal(value) => value.to_string(),
-                Given::Tag => {
-                    let name = operand_tag(number, index);
-                    let _ = writeln!(tags, "{name} : {} (Class := Safety);", element(call.kind(index)).name());
-                    name
-                }
-            });
-        }
-        let _ = writeln!(rungs, "N: XIC(Rung_{number}){}({});", call.instruction.mnemonic, operands.join(","));
-    }
-    format!(
-        "CONTROLLER Random_Calls (ProcessorType := \"1756-L73S\", Major := 20)\nTAG\n{tags}END_TAG\n\
-         PROGRAM Main (Class := Safety, MAIN := \"Main\")\nROUTINE Main\n{rungs}END_ROUTINE\nEND_PROGRAM\n\
-         TASK Safety (Type := PERIODIC, Class := Safety, Rate := 1, Watchdog := 1, Priority := 5)\nMain;\n\
-         END_TASK\nEND_CONTROLLER\n"
-    )
-}
-
-/// The tag of an operand of call `number`.
-pub fn operand_tag(number: usize, index: usize) -> String {
-    format!("Operand_{number}_{index}")
 }
 
 /// The type of an operand that is a tag.

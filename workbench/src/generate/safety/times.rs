@@ -3,7 +3,7 @@
 use twinrung_catalog::OperandKind;
 
 use super::call::{Call, Given};
-use twinrung_workbench::generate::Random;
+use crate::generate::Random;
 
 /// Times in ms that the references name and no operand shows: reset pulses, restart delays, the discrepancies of the
 /// version-14 set, lamp tests, two-hand buttons.
@@ -31,6 +31,11 @@ impl Times {
         };
         let configured_ms = call.operands.iter().enumerate().filter_map(time).filter(|time| *time > 0).collect();
         Times { period_ms, configured_ms }
+    }
+
+    /// The times of the configuration, in ms.
+    pub fn configured_ms(&self) -> &[i64] {
+        &self.configured_ms
     }
 
     /// A duration of at least one scan.
