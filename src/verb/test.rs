@@ -150,13 +150,17 @@ fn tested(arguments: &Test, out: &mut dyn Write) -> io::Result<Tested> {
         if let Some(text) = &arguments.filter {
             suite.filter(text);
         }
+        // A filter may concern one project of several.
         if suite.is_empty() {
-            return Err(io::Error::other("no scenario is left to play"));
+            continue;
         }
         let name = group.project.display().to_string();
         let report =
             with_progress(suite.len() as u64, |progress| suite.run::<Primary, Partner>(name, &sources, progress));
         reports.push(report.map_err(failed)?);
+    }
+    if reports.is_empty() {
+        return Err(io::Error::other("no scenario is left to play"));
     }
     Ok(Ok(reports))
 }

@@ -49,6 +49,14 @@ fn folder_when_tested_then_every_scenario_file_in_it_is_played() {
     assert!(projects >= 3, "{}", said.out);
 }
 
+#[test]
+fn filter_when_it_concerns_one_project_of_several_then_the_others_are_left_out_and_none_is_an_error() {
+    let said = twinrung(&["test", "samples", "--filter", "WELDED"]);
+    assert_eq!((said.code, said.out.matches("  met     ").count()), (Some(0), 3), "{}", said.out);
+    assert!(!said.out.contains("two-hand-press"), "{}", said.out);
+    assert_eq!(twinrung(&["test", "samples", "--filter", "no such name"]).code, Some(2));
+}
+
 /// REQ-TEST-017
 #[test]
 fn reports_when_written_then_json_and_junit_say_what_the_terminal_says() {

@@ -230,9 +230,10 @@ impl<'a> Expansion<'a> {
         let content = value::content(value::value(setting.name.as_str(), &setting.value, value::element(signal))?);
         let before = self.before(signal);
         // A later setting ends a hold or a toggle of the same input.
-        self.actions.retain(|action| {
-            action.at_ms <= at_ms || !matches!(&action.change, Change::Drive { signal: other, .. } if *other == signal)
-        });
+        if self.acts_until_ms > at_ms {
+            let of_it = |change: &Change| matches!(change, Change::Drive { signal: other, .. } if *other == signal);
+            self.actions.retain(|action| action.at_ms <= at_ms || !of_it(&action.change));
+        }
         self.drive(&setting.name, signal, content, at_ms)?;
         Ok((signal, before))
     }
