@@ -121,7 +121,9 @@ fn permit_when_any_bit_flips_then_the_task_stops() {
 #[test]
 fn task_when_its_stop_is_forgotten_then_it_does_not_execute_again() {
     let mut controller = running(DIFFERS_IN_A_BIT);
-    [0, 10, 20].map(|now_ms| controller.scan(now_ms));
+    for now_ms in [0, 10, 20] {
+        controller.scan(now_ms);
+    }
     assert!(controller.stopped().is_some());
     assert_eq!(controller.shared().flip(Side::Primary, SharedMemory::Mode, 1), Flip::Done);
     assert_eq!(controller.stopped(), None);
