@@ -8,8 +8,10 @@ use twinrung_controller::StopReason;
 pub const REFUSED: u8 = 1;
 /// A file cannot be read, or an argument is wrong.
 pub const UNREADABLE: u8 = 2;
-const NONRECOVERABLE: u8 = 3;
-const RECOVERABLE: u8 = 4;
+/// The safety task is shut down.
+pub const NONRECOVERABLE: u8 = 3;
+/// A fault of the program stopped the logic.
+pub const RECOVERABLE: u8 = 4;
 
 /// Scans came to their end, or stopped for a reason.
 pub fn of_scans(stopped: Option<StopReason>) -> ExitCode {

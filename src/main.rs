@@ -44,6 +44,8 @@ enum Verb {
     Run(verb::run::Run),
     /// Test a project with scenarios on both interpreters, and say what they cover
     Test(verb::test::Test),
+    /// Commission a controller that is kept in a folder: modes, lock, signature, forces, faults
+    Controller(verb::controller::Controller),
     /// Measure the scan time against period and watchdog
     Bench(verb::bench::Bench),
     /// Run random programs on both interpreters until they differ
@@ -70,6 +72,7 @@ fn main() -> ExitCode {
         Verb::Build(arguments) => verb::build::run(&arguments),
         Verb::Run(arguments) => verb::run::run(&arguments),
         Verb::Test(arguments) => verb::test::run(&arguments),
+        Verb::Controller(arguments) => verb::controller::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
         Verb::Reaction(arguments) => verb::reaction::run(&arguments),

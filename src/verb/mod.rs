@@ -4,6 +4,7 @@ pub mod bench;
 pub mod build;
 pub mod check;
 pub mod checklist;
+pub mod controller;
 pub mod diff;
 pub mod explain;
 pub mod fmt;

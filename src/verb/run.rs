@@ -58,11 +58,11 @@ pub struct Run {
 }
 
 /// Periods that a run goes on after the last row of its stimulus.
-const PERIODS_AFTER_STIMULUS: u64 = 10;
+pub(super) const PERIODS_AFTER_STIMULUS: u64 = 10;
 /// Rows of a diagram that was not asked for name by name.
-const DIAGRAM_ROWS: usize = 40;
+pub(super) const DIAGRAM_ROWS: usize = 40;
 /// The latest end of a run in ms: time stamps have room for it, and nobody waits for it.
-const UNTIL_MS_MAX: u64 = 1_000_000_000_000;
+pub(super) const UNTIL_MS_MAX: u64 = 1_000_000_000_000;
 
 /// Runs.
 pub fn run(arguments: &Run) -> io::Result<ExitCode> {
@@ -120,7 +120,7 @@ fn scans<B: Channel>(arguments: &Run, loaded: Loaded, out: &mut dyn Write) -> io
     report(out, session.controller().image(), &outcome, begun.elapsed())
 }
 
-fn listed(list: &str) -> io::Result<Vec<String>> {
+pub(super) fn listed(list: &str) -> io::Result<Vec<String>> {
     let Some(path) = list.strip_prefix('@') else { return Ok(split_names(list)) };
     let text = input::text(Path::new(path))?;
     Ok(text
@@ -150,11 +150,16 @@ fn split_names(list: &str) -> Vec<String> {
     names.into_iter().map(|name| name.trim().to_owned()).filter(|name| !name.is_empty()).collect()
 }
 
-fn write_recording(path: &Path, recording: &Recording) -> io::Result<()> {
+pub(super) fn write_recording(path: &Path, recording: &Recording) -> io::Result<()> {
     files::write_whole(path, recording.to_csv().as_bytes())
 }
 
-fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: Duration) -> io::Result<ExitCode> {
+pub(super) fn report(
+    out: &mut dyn Write,
+    image: &AdmittedImage,
+    outcome: &Outcome,
+    took: Duration,
+) -> io::Result<ExitCode> {
     let code = exit::of_scans(outcome.stopped.map(|(_, _, reason)| reason));
     let Some((scan, time_ms, reason)) = outcome.stopped else {
         writeln!(
@@ -175,7 +180,7 @@ fn report(out: &mut dyn Write, image: &AdmittedImage, outcome: &Outcome, took: D
     Ok(code)
 }
 
-fn explained(image: &AdmittedImage, reason: StopReason) -> String {
+pub(super) fn explained(image: &AdmittedImage, reason: StopReason) -> String {
     match reason {
         StopReason::Safety(fault) => difference::fault_words(image, fault),
         StopReason::Recoverable(MajorFault { code, place }) => {

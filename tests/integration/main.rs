@@ -8,6 +8,7 @@ mod certified_set;
 mod channel_bits;
 mod checklists;
 mod command;
+mod controller;
 mod corpus;
 mod defects;
 mod freestanding;

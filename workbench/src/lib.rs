@@ -9,12 +9,14 @@
 pub mod bench;
 pub mod cells;
 pub mod checklist;
+pub mod connected;
 pub mod coverage;
 pub mod diagram;
 pub mod difference;
 pub mod drive;
 pub mod fuzz;
 pub mod generate;
+pub mod hold;
 #[cfg(feature = "injection")]
 pub mod inject;
 pub mod instruction_rungs;
@@ -29,6 +31,7 @@ pub mod scenario;
 pub mod signal;
 pub mod stimulus;
 pub mod threads;
+pub mod transition;
 mod usage;
 
 pub use recording::{Recording, Row};

@@ -6,9 +6,10 @@ use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::index::TagIndex;
 use twinrung_bytecode::observer::Silent;
-use twinrung_controller::{Controller, Simulated, StopReason};
+use twinrung_controller::{Controller, Mode, Simulated, StopReason};
 
 use crate::drive::{Drive, cells};
+use crate::hold::{Hold, Holds};
 use crate::names;
 use crate::recording::{Recording, Row};
 use crate::signal::{Signal, SignalError};
@@ -76,6 +77,7 @@ pub struct Outcome {
 pub struct Run<A: Channel, B: Channel> {
     controller: Controller<A, B>,
     drive: Drive,
+    holds: Holds,
     clock: Simulated,
     signals: Vec<Signal>,
     recording: Recording,
@@ -86,21 +88,27 @@ pub struct Run<A: Channel, B: Channel> {
 impl<A: Channel, B: Channel> Run<A, B> {
     /// Loads an admitted image into both channels, powered up with the mode switch in Run. `bytes` are the sealed bytes that were admitted.
     pub fn new(image: AdmittedImage, bytes: &[u8]) -> Result<Run<A, B>, RunError> {
-        let period_us = image.image().task.as_ref().ok_or(RunError::NoTask)?.period_us;
-        if !period_us.is_multiple_of(1000) {
-            return Err(RunError::Period(period_us));
-        }
-        let mut controller = Controller::load(image, bytes).map_err(|error| RunError::Load(error.to_string()))?;
-        controller.power_up_in_run();
+        Run::in_mode(image, bytes, Mode::Run)
+    }
+
+    /// The same in a mode of choice.
+    pub fn in_mode(image: AdmittedImage, bytes: &[u8], mode: Mode) -> Result<Run<A, B>, RunError> {
+        let (controller, period_ms) = powered_up(image, bytes, mode)?;
         Ok(Run {
             controller,
             drive: Drive::default(),
-            clock: Simulated::new(i64::from(period_us / 1000)),
+            clock: Simulated::new(period_ms as i64),
+            holds: Holds::default(),
             signals: Vec::new(),
             recording: Recording::default(),
-            period_ms: u64::from(period_us / 1000),
+            period_ms,
             outcome: Outcome { scans: 0, stopped: None, instructions_max: 0 },
         })
+    }
+
+    /// Holds a value from now on: one that comes in before the logic, one that goes out behind it.
+    pub fn hold(&mut self, one: Hold) {
+        self.holds.add(one);
     }
 
     /// The controller.
@@ -144,13 +152,14 @@ impl<A: Channel, B: Channel> Run<A, B> {
         let mut time_ms = self.outcome.scans.saturating_mul(self.period_ms);
         while time_ms <= until_ms {
             self.drive.until(&mut self.controller, time_ms);
+            self.holds.drive(&mut self.controller);
             let report = self.controller.scan_observed(time_ms as i64, &mut self.clock, &mut Silent, &mut Silent);
             if let (Some(reason), None) = (report.stopped, self.outcome.stopped) {
                 self.outcome.stopped = Some((self.outcome.scans, time_ms, reason));
             }
             self.outcome.instructions_max = self.outcome.instructions_max.max(report.instructions);
             if !self.signals.is_empty() {
-                let values = self.signals.iter().map(|signal| signal.read(&self.controller)).collect();
+                let values = self.signals.iter().map(|signal| self.holds.read(*signal, &self.controller)).collect();
                 self.recording.rows.push(Row { time_ms, values });
             }
             self.outcome.scans += 1;
@@ -164,6 +173,23 @@ impl<A: Channel, B: Channel> Run<A, B> {
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
+}
+
+/// A controller with an admitted image, powered up in a mode, and its period in ms.
+pub(crate) fn powered_up<A: Channel, B: Channel>(
+    image: AdmittedImage,
+    bytes: &[u8],
+    mode: Mode,
+) -> Result<(Controller<A, B>, u64), RunError> {
+    let period_us = image.image().task.as_ref().ok_or(RunError::NoTask)?.period_us;
+    if !period_us.is_multiple_of(1000) {
+        return Err(RunError::Period(period_us));
+    }
+    let mut controller = Controller::load(image, bytes).map_err(|error| RunError::Load(error.to_string()))?;
+    if mode == Mode::Run {
+        controller.power_up_in_run();
+    }
+    Ok((controller, u64::from(period_us / 1000)))
 }
 
 /// What is recorded when nobody says: what the stimulus drives, then what is published, then the outputs and codes of safety

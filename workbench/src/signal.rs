@@ -167,11 +167,11 @@ impl Signal {
     }
 }
 
-fn number(word: i32, element: Element) -> Value {
+pub(crate) fn number(word: i32, element: Element) -> Value {
     if element == Element::Real { Value::Real(f32::from_bits(word as u32)) } else { Value::Integer(word) }
 }
 
-fn bit_of(word: i32, bit: u8) -> Value {
+pub(crate) fn bit_of(word: i32, bit: u8) -> Value {
     Value::Bool((word >> bit.min(31)) & 1 == 1)
 }
 

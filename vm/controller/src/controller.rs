@@ -158,6 +158,11 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         self.first.driven_bit(cell)
     }
 
+    /// A number as it is driven from outside.
+    pub fn driven_word(&self, cell: WordCell) -> Option<i32> {
+        self.first.driven_word(cell)
+    }
+
     /// A BOOL as both channels hold it.
     pub fn bit(&self, cell: BitCell) -> Option<bool> {
         let byte = *self.primary.bits().get(cell.position())?;

@@ -106,6 +106,10 @@ impl<const MASK: u32, V: Verdict> Half<MASK, V> {
         self.input_bits.get(cell.position()).map(|byte| byte ^ MASK as u8 == 1)
     }
 
+    pub(crate) fn driven_word(&self, cell: WordCell) -> Option<i32> {
+        self.input_words.get(cell.position()).map(|word| (word ^ MASK) as i32)
+    }
+
     pub(crate) fn drive_word(&mut self, cell: WordCell, value: i32) {
         if let Some(slot) = self.input_words.get_mut(cell.position()) {
             *slot = value as u32 ^ MASK;

@@ -1,0 +1,205 @@
+//! Modes, keyswitch and scans.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::Args;
+use twinrung_bytecode::AdmittedImage;
+use twinrung_commission::{ControllerState, Fault, FaultKind};
+use twinrung_controller::Mode;
+use twinrung_controller::protection::{Action, Keyswitch};
+use twinrung_partner::Partner;
+use twinrung_primary::Primary;
+use twinrung_workbench::connected;
+use twinrung_workbench::hold::Hold;
+use twinrung_workbench::reaction::milliseconds;
+use twinrung_workbench::run::default_names;
+use twinrung_workbench::transition::{Transition, transition};
+use twinrung_workbench::{Run as Session, Stimulus, diagram};
+
+use super::folder::Kept;
+use super::status::{keyswitch_name, mode_name};
+use super::{Ended, ModeName, Position, refuse};
+use crate::progress::with_progress;
+use crate::terminal::Terminal;
+use crate::verb::run::{
+    DIAGRAM_ROWS, PERIODS_AFTER_STIMULUS, UNTIL_MS_MAX, explained, listed, report, write_recording,
+};
+use crate::{exit, failed, input};
+
+/// Arguments of `controller FOLDER run`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The controller powers up in the mode that it is in: each run begins with the initial values. Forces and inhibited\n\
+modules act. A fault stays with the controller until it is cleared.\n\
+A stimulus may drive safety data that is no input only while the controller is unlocked and without signature."
+)]
+pub(super) struct Run {
+    /// What drives the inputs
+    #[arg(long, value_name = "CSV")]
+    stimulus: Option<PathBuf>,
+    /// What to record: names, or @FILE with one name on each line
+    #[arg(long, value_name = "TAG,TAG|@LIST")]
+    record: Option<String>,
+    /// Where to write the recording
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// Time of the last scan in ms; without it some periods after the stimulus's last row
+    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(..=UNTIL_MS_MAX))]
+    until: Option<u64>,
+    /// Draw no timing diagram
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// What is held in scans: the safe state of inhibited modules, then forces.
+fn holds(state: &ControllerState, image: &AdmittedImage) -> io::Result<Vec<Hold>> {
+    let mut holds: Vec<Hold> =
+        state.inhibited.iter().filter_map(|module| connected::inhibited(image, module)).flatten().collect();
+    for force in state.forces.iter().filter(|_| state.forces_enabled) {
+        holds.push(connected::force(image, &force.tag, &force.value).map_err(failed)?);
+    }
+    Ok(holds)
+}
+
+pub(super) fn change_mode(out: &mut dyn Write, kept: &mut Kept, mode: ModeName, at: Option<u64>) -> Ended {
+    let mode = if mode == ModeName::Run { Mode::Run } else { Mode::Program };
+    let before = kept.state.mode;
+    if let Err(why) = kept.state.change_mode(mode) {
+        return refuse(out, &why);
+    }
+    if before == mode {
+        writeln!(out, "the controller is in {} mode", mode_name(mode))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    pass(out, kept, at)
+}
+
+pub(super) fn turn_keyswitch(out: &mut dyn Write, kept: &mut Kept, position: Position) -> Ended {
+    let before = kept.state.mode;
+    let keyswitch = match position {
+        Position::Run => Keyswitch::Run,
+        Position::Rem => Keyswitch::Remote,
+        Position::Prog => Keyswitch::Program,
+    };
+    if let Err(why) = kept.state.turn_keyswitch(keyswitch) {
+        return refuse(out, &why);
+    }
+    writeln!(out, "the keyswitch is in {}", keyswitch_name(keyswitch))?;
+    if kept.state.mode == before {
+        kept.keep()?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    pass(out, kept, None)
+}
+
+/// Lets the scans pass that a mode change takes, keeps the new mode, and says how long it took.
+fn pass(out: &mut dyn Write, kept: &mut Kept, at: Option<u64>) -> Ended {
+    let mode = kept.state.mode;
+    let fault = match (kept.admitted()?, &kept.state.fault) {
+        (Some((image, bytes)), None) => {
+            let holds = holds(&kept.state, &image)?;
+            let period_us = image.image().task.as_ref().map_or(0, |task| u64::from(task.period_us));
+            let asked_us = at.map_or(period_us / 2, |at| at.saturating_mul(1000));
+            if asked_us == 0 || asked_us >= period_us {
+                return Err(io::Error::other(format!(
+                    "--at is a time between two scans: above 0 and below the period of {} ms",
+                    milliseconds(period_us)
+                )));
+            }
+            let done: Transition =
+                transition::<Primary, Partner>(image.clone(), bytes, mode, asked_us, &holds).map_err(failed)?;
+            writeln!(
+                out,
+                "{} mode {} ms after it was asked for: more than one period of {} ms, less than two",
+                mode_name(mode),
+                milliseconds(done.took_us()),
+                milliseconds(period_us)
+            )?;
+            done.stopped.map(|reason| Fault::of(reason, done.acted_ms, explained(&image, reason)))
+        }
+        _ => {
+            writeln!(out, "{} mode", mode_name(mode))?;
+            None
+        }
+    };
+    let code = fault.as_ref().map_or(ExitCode::SUCCESS, |fault| code_of(fault.kind));
+    if let Some(fault) = fault {
+        writeln!(out, "{} {}/{}: {}", fault.kind.name(), fault.fault_type, fault.code, fault.what)?;
+        kept.state.report_fault(fault);
+    }
+    kept.keep()?;
+    Ok(code)
+}
+
+fn code_of(kind: FaultKind) -> ExitCode {
+    match kind {
+        FaultKind::Recoverable => ExitCode::from(exit::RECOVERABLE),
+        FaultKind::NonrecoverableSafety | FaultKind::NonrecoverableController => ExitCode::from(exit::NONRECOVERABLE),
+    }
+}
+
+pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ended {
+    if let Some(fault) = &kept.state.fault {
+        writeln!(
+            out,
+            "the safety task does not execute, outputs are off: {} {}/{}, {}",
+            fault.kind.name(),
+            fault.fault_type,
+            fault.code,
+            fault.what
+        )?;
+        return Ok(code_of(fault.kind));
+    }
+    let Some((image, bytes)) = kept.admitted()? else {
+        return refuse(out, &"the controller holds no application: download the project");
+    };
+    let stimulus = match &arguments.stimulus {
+        Some(path) => input::stimulus(path, Some(path))?,
+        None => None,
+    };
+    let manipulated = stimulus.as_ref().map(|stimulus| connected::safety_data(&image, &stimulus.tags));
+    if let Some(tag) = manipulated.iter().flatten().next()
+        && let Err(why) = kept.state.permit(Action::WriteSafetyData)
+    {
+        writeln!(out, "the stimulus drives {tag}, which is safety data and no input")?;
+        return refuse(out, &why);
+    }
+    let names = match &arguments.record {
+        Some(list) => listed(list)?,
+        None => default_names(&image, stimulus.as_ref(), DIAGRAM_ROWS),
+    };
+    let holds = holds(&kept.state, &image)?;
+    let mut session: Session<Primary, Partner> = Session::in_mode(image, bytes, kept.state.mode).map_err(failed)?;
+    if let Some(stimulus) = &stimulus {
+        session.stimulate(stimulus).map_err(failed)?;
+    }
+    session.record(&names).map_err(failed)?;
+    holds.into_iter().for_each(|hold| session.hold(hold));
+    let period_ms = session.period_ms();
+    let until_ms = arguments
+        .until
+        .unwrap_or_else(|| stimulus.as_ref().map_or(0, Stimulus::last_ms) + PERIODS_AFTER_STIMULUS * period_ms);
+    let begun = Instant::now();
+    let outcome = with_progress(until_ms / period_ms + 1, |progress| session.until(until_ms, progress));
+    writeln!(out, "{} mode, one scan every {period_ms} ms", mode_name(kept.state.mode))?;
+    if !arguments.quiet {
+        let terminal = Terminal::of_stdout();
+        let style = diagram::Style { columns: terminal.columns, colour: terminal.colour };
+        writeln!(out)?;
+        out.write_all(diagram::draw(session.recording(), style).as_bytes())?;
+        writeln!(out)?;
+    }
+    if let Some((_, at_ms, reason)) = outcome.stopped {
+        let what = explained(session.controller().image(), reason);
+        kept.state.report_fault(Fault::of(reason, at_ms, what));
+        kept.keep()?;
+    }
+    if let Some(path) = &arguments.out {
+        write_recording(path, session.recording())?;
+        writeln!(out, "wrote {} ({} rows)", path.display(), session.recording().rows.len())?;
+    }
+    report(out, session.controller().image(), &outcome, begun.elapsed())
+}
