@@ -265,7 +265,7 @@ mod tests {
     }
 
     fn shown(pair: &mut Pair, wanted: u64) -> BitVisitor {
-        let mut visitor = BitVisitor::new(Some(wanted), true);
+        let mut visitor = BitVisitor::turn(wanted);
         visitor.field(&mut 0u8);
         visitor.part(pair);
         visitor
