@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use twinrung_bytecode::format;
-use twinrung_bytecode::image::TypeReference;
+use twinrung_bytecode::image::{TagKind, TypeReference};
 use twinrung_bytecode::index::OperandIndex;
 use twinrung_catalog::Element;
 
@@ -172,7 +172,8 @@ impl Loader<'_> {
             return Err(LoadError::Malformed("an operand that should be a reference"));
         }
         let path_length = usize::from(reader.u16()?);
-        let (innermost, is_element) = innermost_variables(Reader::new(reader.take(path_length)?))?;
+        reader.take(path_length)?;
+        let (innermost, is_element) = innermost_variables(self.designating_path(index)?)?;
         let shape = reader.u8()?;
         let element = reader.u8()?;
         let structure = reader.u16()?;
@@ -220,16 +221,33 @@ impl Loader<'_> {
         Ok(Reference { shape, content, bit, word, count, is_element, terms, bit_number, bit_operand, bit_length })
     }
 
+    /// The path of a reference; where that is nothing but the name of an alias, the path of what the alias designates:
+    /// an alias of an array's element has no subscript in its own path.
+    fn designating_path(&self, reference: u32) -> Result<Reader<'_>, LoadError> {
+        let mut index = reference;
+        for _ in 0..=self.image.tags.len() {
+            let mut reader = self.entry(index)?;
+            if reader.u8()? != format::REFERENCE {
+                return Err(LoadError::Malformed("an operand that should be a reference"));
+            }
+            let path_length = usize::from(reader.u16()?);
+            let path = reader.take(path_length)?;
+            let mut root = Reader::new(path);
+            let (kind, tag) = (root.u8()?, root.u32()?);
+            let named = self.image.tags.get(tag as usize).filter(|_| kind == format::ROOT_TAG && root.is_empty());
+            match named.map(|tag| &tag.kind) {
+                Some(TagKind::Alias(target)) => index = target.0,
+                _ => return Ok(Reader::new(path)),
+            }
+        }
+        Err(LoadError::Malformed("aliases that lead to each other"))
+    }
+
     /// The number of elements in one dimension of the array that a reference designates or selects an element of
     /// (SIZE).
     pub(crate) fn dimension(&self, index: u32, dimension: usize) -> Result<i32, LoadError> {
         const MALFORMED: LoadError = LoadError::Malformed("the path of an array");
-        let mut reader = self.entry(index)?;
-        if reader.u8()? != format::REFERENCE {
-            return Err(MALFORMED);
-        }
-        let path_length = usize::from(reader.u16()?);
-        let mut path = Reader::new(reader.take(path_length)?);
+        let mut path = self.designating_path(index)?;
         let (mut type_reference, mut dimensions) = match path.u8()? {
             format::ROOT_TAG => {
                 let tag = self.image.tags.get(path.u32()? as usize).ok_or(MALFORMED)?;
