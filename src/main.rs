@@ -5,7 +5,9 @@
 mod exit;
 mod files;
 mod findings;
+mod format;
 mod input;
+mod play;
 mod progress;
 mod terminal;
 mod verb;

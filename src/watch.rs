@@ -1,5 +1,6 @@
-//! Doing something again whenever a file changes.
+//! Doing something, and again whenever a file changes.
 
+use std::convert::Infallible;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
@@ -15,16 +16,24 @@ const SETTLES_WITHIN: Duration = Duration::from_millis(200);
 /// Endings of the files that matter: what is written beside them (reports, recordings) does not begin another run.
 const ENDINGS: [&str; 5] = ["scenario", "rll", "l5x", "l5k", "image"];
 
-/// Does `again` after each change in the folders that `places` names; ends with the process.
+/// Does `work`, and again after each change in the folders that `places` names; ends with the process. The folders are watched
+/// before the work begins, so that a change made meanwhile begins it once more.
 pub fn watched(
     mut places: impl FnMut() -> io::Result<Vec<PathBuf>>,
-    mut again: impl FnMut() -> io::Result<()>,
-) -> io::Result<()> {
+    mut work: impl FnMut() -> io::Result<()>,
+) -> io::Result<Infallible> {
+    let (sender, receiver) = mpsc::channel();
+    let mut watcher = notify::recommended_watcher(sender).map_err(failed)?;
+    let mut watched: Vec<PathBuf> = Vec::new();
     loop {
-        let (sender, receiver) = mpsc::channel();
-        let mut watcher = notify::recommended_watcher(sender).map_err(failed)?;
         for place in places()? {
-            watcher.watch(&place, RecursiveMode::NonRecursive).map_err(failed)?;
+            if !watched.contains(&place) {
+                watcher.watch(&place, RecursiveMode::NonRecursive).map_err(failed)?;
+                watched.push(place);
+            }
+        }
+        if let Err(error) = work() {
+            tell(format_args!("twinrung: {error}"));
         }
         tell(format_args!("waiting for a change"));
         loop {
@@ -34,9 +43,6 @@ pub fn watched(
             }
         }
         while receiver.recv_timeout(SETTLES_WITHIN).is_ok() {}
-        if let Err(error) = again() {
-            tell(format_args!("twinrung: {error}"));
-        }
     }
 }
 

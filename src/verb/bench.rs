@@ -4,11 +4,12 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use twinrung_workbench::Threads;
 use twinrung_workbench::bench::{self, Driven, Plan, Report};
 use twinrung_workbench::mix::{Mix, Program};
 
+use crate::format::{Format, write_json};
 use crate::input::{self, Complete, Loaded, Required};
 use crate::progress::with_progress;
 use crate::terminal::{self, Terminal, tell};
@@ -68,12 +69,6 @@ pub struct Bench {
     complete: Complete,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Human,
-    Json,
-}
-
 const NOTHING_MEASURED: &str = "; nothing was measured";
 
 /// A number of rungs that an image has room for.
@@ -103,10 +98,7 @@ pub fn run(arguments: &Bench) -> io::Result<ExitCode> {
     let report = Report::new(&loaded.image, &measurement, estimate);
     match arguments.format {
         Format::Human => out.write_all(bench::picture(&report, Terminal::of_stdout().columns).as_bytes())?,
-        Format::Json => {
-            serde_json::to_writer_pretty(&mut out, &report)?;
-            writeln!(out)?;
-        }
+        Format::Json => write_json(&mut out, &report)?,
     }
     if let Some(path) = &arguments.html {
         files::write_whole(path, bench::page(&report).as_bytes())?;

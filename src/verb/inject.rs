@@ -16,6 +16,7 @@ use twinrung_primary::Primary;
 use twinrung_workbench::Stimulus;
 use twinrung_workbench::inject::{Campaign, Class, Fault, Group, Outcome, Plan, Report, Subject, is_injecting, random};
 
+use crate::format::{Format, write_json};
 use crate::input::{self, Complete};
 use crate::terminal::{self, tell};
 use crate::{exit, failed};
@@ -72,12 +73,6 @@ pub struct Inject {
     format: Format,
     #[command(flatten)]
     complete: Complete,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Human,
-    Json,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -162,10 +157,7 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
             let seconds = begun.elapsed().as_secs_f64();
             tell(format_args!("{} injections in {seconds:.1} s", report.injected()));
         }
-        Format::Json => {
-            serde_json::to_writer_pretty(&mut out, &report)?;
-            writeln!(out)?;
-        }
+        Format::Json => write_json(&mut out, &report)?,
     }
     Ok(if report.let_out() == 0 { ExitCode::SUCCESS } else { ExitCode::from(exit::REFUSED) })
 }

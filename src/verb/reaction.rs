@@ -4,11 +4,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde::Serialize;
 use twinrung_compiler::CheckedProject;
 use twinrung_workbench::reaction::{self, Chain, Settings, milliseconds};
 
+use crate::format::{Format, write_json};
 use crate::input::{self, Complete, Input};
 use crate::{exit, failed, terminal};
 
@@ -45,14 +46,6 @@ pub struct Reaction {
     format: Format,
     #[command(flatten)]
     complete: Complete,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For a terminal.
-    Human,
-    /// One JSON object.
-    Json,
 }
 
 /// `1791ES-IB8XOBV4=16.2`, in µs.
@@ -94,11 +87,7 @@ pub fn run(arguments: &Reaction) -> io::Result<ExitCode> {
     match arguments.format {
         Format::Human => human(&mut out, &project.name, &chains, arguments.limit, too_slow)?,
         Format::Json => {
-            serde_json::to_writer(
-                &mut out,
-                &Json { controller: &project.name, chains: &chains, beyond_limit: too_slow },
-            )?;
-            writeln!(out)?;
+            write_json(&mut out, &Json { controller: &project.name, chains: &chains, beyond_limit: too_slow })?
         }
     }
     Ok(if too_slow > 0 { ExitCode::from(exit::REFUSED) } else { ExitCode::SUCCESS })

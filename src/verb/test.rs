@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use twinrung_compiler::diagnostic::{Finding, UNREADABLE_FILE, reading_finding};
 use twinrung_grammar::read_scenarios;
 use twinrung_grammar::tree::Sources;
@@ -17,6 +17,7 @@ use twinrung_workbench::scenario::Suite;
 use twinrung_workbench::scenario::report::{self, ProjectReport};
 
 use crate::findings::{self, Report};
+use crate::format::{Format, write_json};
 use crate::input::{self, Complete, Required};
 use crate::progress::with_progress;
 use crate::terminal::{self, Terminal};
@@ -60,12 +61,6 @@ pub struct Test {
     complete: Complete,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    Human,
-    Json,
-}
-
 const NOTHING_TESTED: &str = "; nothing was tested";
 
 /// Scenario files that test one project.
@@ -79,11 +74,11 @@ type Tested = Result<Vec<ProjectReport>, ExitCode>;
 
 /// Tests.
 pub fn run(arguments: &Test) -> io::Result<ExitCode> {
-    let code = once(arguments)?;
     if arguments.watch {
-        watched(|| found(&arguments.files).map(|files| watch_places(&files)), || once(arguments).map(|_| ()))?;
+        let places = || found(&arguments.files).map(|files| watch_places(&files));
+        return watched(places, || once(arguments).map(|_| ())).map(|never| match never {});
     }
-    Ok(code)
+    once(arguments)
 }
 
 fn once(arguments: &Test) -> io::Result<ExitCode> {
@@ -99,10 +94,7 @@ fn once(arguments: &Test) -> io::Result<ExitCode> {
             let texts: Vec<String> = reports.iter().map(|one| report::text(one, style)).collect();
             out.write_all(texts.join("\n").as_bytes())?;
         }
-        Format::Json => {
-            serde_json::to_writer_pretty(&mut out, &serde_json::json!({ "projects": reports }))?;
-            writeln!(out)?;
-        }
+        Format::Json => write_json(&mut out, &serde_json::json!({ "projects": reports }))?,
     }
     if let Some(path) = &arguments.junit {
         files::write_whole(path, report::junit(&reports)?.as_bytes())?;

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::Instant;
 
 use clap::Args;
 use twinrung_bytecode::AdmittedImage;
@@ -12,21 +11,17 @@ use twinrung_controller::Mode;
 use twinrung_controller::protection::{Action, Keyswitch};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
+use twinrung_workbench::Run as Session;
 use twinrung_workbench::connected;
 use twinrung_workbench::hold::Hold;
 use twinrung_workbench::reaction::milliseconds;
 use twinrung_workbench::run::default_names;
 use twinrung_workbench::transition::{Transition, transition};
-use twinrung_workbench::{Run as Session, Stimulus, diagram};
 
 use super::folder::Kept;
 use super::status::{keyswitch_name, mode_name};
 use super::{Ended, ModeName, Position, refuse};
-use crate::progress::with_progress;
-use crate::terminal::Terminal;
-use crate::verb::run::{
-    DIAGRAM_ROWS, PERIODS_AFTER_STIMULUS, UNTIL_MS_MAX, explained, listed, report, write_recording,
-};
+use crate::play::{DIAGRAM_ROWS, Playing, explained, listed};
 use crate::{exit, failed, input};
 
 /// Arguments of `controller FOLDER run`.
@@ -43,15 +38,8 @@ pub(super) struct Run {
     /// What to record: names, or @FILE with one name on each line
     #[arg(long, value_name = "TAG,TAG|@LIST")]
     record: Option<String>,
-    /// Where to write the recording
-    #[arg(long, value_name = "CSV")]
-    out: Option<PathBuf>,
-    /// Time of the last scan in ms; without it some periods after the stimulus's last row
-    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u64).range(..=UNTIL_MS_MAX))]
-    until: Option<u64>,
-    /// Draw no timing diagram
-    #[arg(long)]
-    quiet: bool,
+    #[command(flatten)]
+    playing: Playing,
 }
 
 /// What is held in scans: the safe state of inhibited modules, then forces.
@@ -173,33 +161,13 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
     };
     let holds = holds(&kept.state, &image)?;
     let mut session: Session<Primary, Partner> = Session::in_mode(image, bytes, kept.state.mode).map_err(failed)?;
-    if let Some(stimulus) = &stimulus {
-        session.stimulate(stimulus).map_err(failed)?;
-    }
-    session.record(&names).map_err(failed)?;
     holds.into_iter().for_each(|hold| session.hold(hold));
-    let period_ms = session.period_ms();
-    let until_ms = arguments
-        .until
-        .unwrap_or_else(|| stimulus.as_ref().map_or(0, Stimulus::last_ms) + PERIODS_AFTER_STIMULUS * period_ms);
-    let begun = Instant::now();
-    let outcome = with_progress(until_ms / period_ms + 1, |progress| session.until(until_ms, progress));
-    writeln!(out, "{} mode, one scan every {period_ms} ms", mode_name(kept.state.mode))?;
-    if !arguments.quiet {
-        let terminal = Terminal::of_stdout();
-        let style = diagram::Style { columns: terminal.columns, colour: terminal.colour };
-        writeln!(out)?;
-        out.write_all(diagram::draw(session.recording(), style).as_bytes())?;
-        writeln!(out)?;
-    }
-    if let Some((_, at_ms, reason)) = outcome.stopped {
+    let heading = format!("{} mode, one scan every {} ms", mode_name(kept.state.mode), session.period_ms());
+    let played = arguments.playing.play(&mut session, stimulus.as_ref(), &names)?;
+    if let Some((at_ms, reason)) = played.stopped() {
         let what = explained(session.controller().image(), reason);
         kept.state.report_fault(Fault::of(reason, at_ms, what));
         kept.keep()?;
     }
-    if let Some(path) = &arguments.out {
-        write_recording(path, session.recording())?;
-        writeln!(out, "wrote {} ({} rows)", path.display(), session.recording().rows.len())?;
-    }
-    report(out, session.controller().image(), &outcome, begun.elapsed())
+    arguments.playing.show(out, &mut session, &played, &heading)
 }

@@ -1,6 +1,8 @@
 //! The command as its users run it.
 
 use std::fs;
+use std::io::{BufRead, BufReader};
+use std::process::{Child, Command, Stdio};
 
 use crate::command::twinrung;
 use crate::support::project_path;
@@ -55,6 +57,36 @@ fn filter_when_it_concerns_one_project_of_several_then_the_others_are_left_out_a
     assert_eq!((said.code, said.out.matches("  met     ").count()), (Some(0), 3), "{}", said.out);
     assert!(!said.out.contains("two-hand-press"), "{}", said.out);
     assert_eq!(twinrung(&["test", "samples", "--filter", "no such name"]).code, Some(2));
+}
+
+/// A process that ends with the test, however the test ends.
+struct Watching(Child);
+
+impl Drop for Watching {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// REQ-TEST-019
+#[test]
+fn watch_when_a_file_changes_then_its_scenarios_are_played_again() {
+    let (folder, path) = beside_heater("scenario \"x\"\nthen Run is off\nend\n");
+    let printed = folder.path().join("printed");
+    let child = Command::new(env!("CARGO_BIN_EXE_twinrung"))
+        .args(["test", path.as_str(), "--watch"])
+        .stdout(fs::File::create(&printed).unwrap())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut watching = Watching(child);
+    let mut told = BufReader::new(watching.0.stderr.take().unwrap()).lines().map(Result::unwrap);
+    assert!(told.by_ref().any(|line| line == "waiting for a change"));
+    assert_eq!(fs::read_to_string(&printed).unwrap().matches("coverage").count(), 1);
+    fs::write(&path, "scenario \"renamed\"\nthen Run is off\nend\n").unwrap();
+    assert!(told.by_ref().any(|line| line == "waiting for a change"));
+    assert!(fs::read_to_string(&printed).unwrap().contains("renamed"));
 }
 
 /// REQ-TEST-017

@@ -187,29 +187,15 @@ fn rules_when_each_is_looked_for_then_it_refuses_a_cell_for_each_of_its_actions_
     assert_eq!(idle, Vec::<String>::new());
 }
 
-fn row(mode: Mode, locked: bool, signed: bool) -> State {
-    State {
-        place: Place::Online,
-        keyswitch: Keyswitch::Remote,
-        mode,
-        locked,
-        signed,
-        forces: Forces::None,
-        edits: Edits::None,
-        status: SafetyTaskStatus::Ok,
-        takes_card: true,
-    }
-}
-
 /// REQ-MODE-003. Table 8, row by row: new forces, online edits, writing safety memory, deleting the signature.
 #[test]
 fn table_8_when_read_row_by_row_then_forces_edits_memory_and_signature_are_as_it_says() {
     let asked = [Action::InstallForce, Action::BeginEdit, Action::WriteSafetyData, Action::DeleteSignature];
     let rows = [
-        (row(Mode::Run, false, false), [true, true, true, false]),
-        (row(Mode::Run, true, false), [false, false, false, false]),
-        (row(Mode::Run, false, true), [false, false, false, true]),
-        (row(Mode::Run, true, true), [false, false, false, false]),
+        (State::online(Mode::Run, false, false), [true, true, true, false]),
+        (State::online(Mode::Run, true, false), [false, false, false, false]),
+        (State::online(Mode::Run, false, true), [false, false, false, true]),
+        (State::online(Mode::Run, true, true), [false, false, false, false]),
     ];
     for (state, expected) in rows {
         assert_eq!(asked.map(|action| judge(state, action).is_ok()), expected, "{state:?}");

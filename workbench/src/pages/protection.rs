@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{
-    Action, Edits, Forces, IMPOSSIBLE, Keyswitch, Offer, OfferedSignature, Place, RULES, SafetyTaskStatus, State,
-    impossible, judge,
+    Action, Edits, Forces, IMPOSSIBLE, Offer, OfferedSignature, RULES, SafetyTaskStatus, State, impossible, judge,
 };
 
 use super::markdown::escaped;
@@ -18,17 +17,7 @@ fn states() -> Vec<(String, State)> {
             let mode_name = if mode == Mode::Run { "Run" } else { "Program" };
             let lock = if locked { "locked" } else { "unlocked" };
             let signature = if signed { "signature" } else { "no signature" };
-            let state = State {
-                place: Place::Online,
-                keyswitch: Keyswitch::Remote,
-                mode,
-                locked,
-                signed,
-                forces: Forces::None,
-                edits: Edits::None,
-                status: SafetyTaskStatus::Ok,
-                takes_card: true,
-            };
+            let state = State::online(mode, locked, signed);
             states.push((format!("{mode_name}, {lock}, {signature}"), state));
         }
     }
@@ -47,8 +36,7 @@ fn rows() -> Vec<Row> {
     let forced: fn(State) -> State = |state| State { forces: Forces::Enabled, ..state };
     let accepted: fn(State) -> State = |state| State { edits: Edits::Accepted, ..state };
     let faulted: fn(State) -> State = |state| State { status: SafetyTaskStatus::NonrecoverableSafetyFault, ..state };
-    let offer = |signature| Offer { signature, same_type: true, same_revision: true, same_series: true };
-    let (same, other) = (offer(OfferedSignature::Same), offer(OfferedSignature::Other));
+    let (same, other) = (Offer::fitting(OfferedSignature::Same), Offer::fitting(OfferedSignature::Other));
     let plain = [
         Action::ChangeMode(Mode::Run),
         Action::ChangeMode(Mode::Program),

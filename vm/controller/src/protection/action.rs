@@ -262,7 +262,18 @@ impl Action {
 
     /// Every action, with everything that it can be done with.
     pub fn all() -> impl Iterator<Item = Action> {
-        const PLAIN: [Action; 26] = [
+        Action::alone().chain(Offer::all().map(Action::Download)).chain(Offer::all().map(Action::LoadFromCard)).chain(
+            [false, true].into_iter().flat_map(|sealed| {
+                [Action::EditAddOn { sealed }, Action::SealAddOn { sealed }, Action::UnsealAddOn { sealed }]
+                    .into_iter()
+                    .chain([false, true].into_iter().map(move |full| Action::AddHistoryEntry { sealed, full }))
+            }),
+        )
+    }
+
+    /// Every action that is done with nothing: no offer, no Add-On Instruction.
+    pub fn alone() -> impl Iterator<Item = Action> {
+        const ALONE: [Action; 26] = [
             Action::ChangeMode(Mode::Run),
             Action::ChangeMode(Mode::Program),
             Action::Upload,
@@ -290,20 +301,16 @@ impl Action {
             Action::ClearFault,
             Action::OverrideFault,
         ];
-        let seals = [false, true].into_iter().flat_map(|sealed| {
-            [Action::EditAddOn { sealed }, Action::SealAddOn { sealed }, Action::UnsealAddOn { sealed }]
-                .into_iter()
-                .chain([false, true].into_iter().map(move |full| Action::AddHistoryEntry { sealed, full }))
-        });
-        PLAIN
-            .into_iter()
-            .chain(Offer::all().map(Action::Download))
-            .chain(Offer::all().map(Action::LoadFromCard))
-            .chain(seals)
+        ALONE.into_iter()
     }
 }
 
 impl Offer {
+    /// A project with this signature, made for this very controller.
+    pub const fn fitting(signature: OfferedSignature) -> Offer {
+        Offer { signature, same_type: true, same_revision: true, same_series: true }
+    }
+
     /// Every offer.
     pub fn all() -> impl Iterator<Item = Offer> {
         let flags = || [true, false].into_iter();

@@ -168,6 +168,22 @@ pub(super) fn impossible_offer(state: State, action: Action) -> Option<&'static 
 }
 
 impl State {
+    /// A controller in this mode, locked and signed or not, with nothing else that protection asks about: keyswitch in REM, no
+    /// forces, no edits, safety task status OK. A row of Table 8.
+    pub const fn online(mode: Mode, locked: bool, signed: bool) -> State {
+        State {
+            place: Place::Online,
+            keyswitch: Keyswitch::Remote,
+            mode,
+            locked,
+            signed,
+            forces: Forces::None,
+            edits: Edits::None,
+            status: SafetyTaskStatus::Ok,
+            takes_card: true,
+        }
+    }
+
     /// What the safety task reaches in this state, when everything else that the manual asks is kept (1756-RM093 Table 8).
     pub const fn integrity(&self) -> &'static str {
         match (self.mode, self.locked, self.signed) {
