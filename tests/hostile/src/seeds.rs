@@ -1,4 +1,4 @@
-//! Where mutation begins: the samples, in the three forms.
+//! Where mutation begins: the samples, in all their forms.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,6 +21,7 @@ pub fn seeds(target: Target) -> std::io::Result<Vec<(String, Vec<u8>)>> {
     let endings: &[&str] = match target {
         Target::Source => &["rll", "L5K"],
         Target::L5x => &["L5X"],
+        Target::Scenario => &["scenario"],
         Target::Image => &["rll"],
     };
     let mut list = Vec::new();
@@ -31,7 +32,7 @@ pub fn seeds(target: Target) -> std::io::Result<Vec<(String, Vec<u8>)>> {
             }
             let name = path.strip_prefix(&root).unwrap_or(&path).to_string_lossy().replace(['/', '\\'], "-");
             match target {
-                Target::Source | Target::L5x => list.push((name, fs::read(&path)?)),
+                Target::Source | Target::L5x | Target::Scenario => list.push((name, fs::read(&path)?)),
                 Target::Image => list.extend(image(&path).map(|bytes| (name, bytes))),
             }
         }

@@ -1,10 +1,14 @@
-//! What is thrown at: source text, an export, an image.
+//! What is thrown at: source text, an export, an image, scenarios.
+
+use std::path::Path;
+use std::sync::OnceLock;
 
 use twinrung_bytecode::signature::seal;
-use twinrung_bytecode::{admit, read as read_image};
+use twinrung_bytecode::{AdmittedImage, admit, read as read_image};
 use twinrung_compiler::{Completion, check, compile};
 use twinrung_controller::{DualController, SafetyFault, StopReason};
 use twinrung_grammar::tree::Sources;
+use twinrung_workbench::scenario::Suite;
 
 /// Scans that an admitted image runs.
 const SCANS: i64 = 3;
@@ -18,19 +22,22 @@ pub enum Target {
     Source,
     /// L5X.
     L5x,
+    /// Scenarios.
+    Scenario,
     /// An image; it is signed again, so that the verifier sees it and not the hash.
     Image,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 3] = [Target::Source, Target::L5x, Target::Image];
+    pub const ALL: [Target; 4] = [Target::Source, Target::L5x, Target::Scenario, Target::Image];
 
     /// Its name: that of the fuzzer and of the folder of its seeds.
     pub fn name(self) -> &'static str {
         match self {
             Target::Source => "source",
             Target::L5x => "l5x",
+            Target::Scenario => "scenario",
             Target::Image => "image",
         }
     }
@@ -43,8 +50,32 @@ impl Target {
         match self {
             Target::Source => project("hostile.rll", bytes),
             Target::L5x => project("hostile.L5X", bytes),
+            Target::Scenario => scenarios(bytes),
             Target::Image => image(bytes),
         }
+    }
+}
+
+/// The project that hostile scenarios are for.
+const PROJECT: &str = include_str!("../../../samples/estop-with-contactors/project.rll");
+
+/// Reads scenarios and lays out what they would do; playing them is what the controller's own limits bound.
+fn scenarios(bytes: &[u8]) {
+    static IMAGE: OnceLock<(AdmittedImage, Vec<u8>)> = OnceLock::new();
+    let (image, sealed) = IMAGE.get_or_init(|| {
+        let reading = twinrung_grammar::read(&mut Sources::new(), "project.rll", PROJECT.as_bytes().to_vec());
+        let project =
+            check(&reading, &Completion::default()).project.unwrap_or_else(|| panic!("the sample is refused"));
+        let bytes = compile(&project).unwrap_or_else(|finding| panic!("{}", finding.message)).bytes;
+        (admit(&bytes).unwrap_or_else(|error| panic!("{error}")), bytes)
+    });
+    let (mut sources, path) = (Sources::new(), Path::new("hostile.scenario"));
+    let reading = twinrung_grammar::read_scenarios(&mut sources, path, bytes.to_vec());
+    for error in &reading.errors {
+        assert!(sources.get(error.span.source).is_some(), "an error has no place: {}", error.message);
+    }
+    for finding in Suite::new(image, sealed).add(path, &reading.file) {
+        assert!(sources.get(finding.span.source).is_some(), "{} has no place: {}", finding.code.id, finding.message);
     }
 }
 
