@@ -132,14 +132,13 @@ impl<O: Observer> Walker<'_, O> {
     }
 
     fn prescan_safety(&mut self, step: Step, call: &Call) -> Result<(), Fault> {
-        let configuration = || {
-            let inputs = call.arguments.iter().zip(&call.inputs).zip(&call.configuration);
-            inputs.filter_map(|(input, is_configuration)| is_configuration.then_some(input))
-        };
-        let first = self.bind_all(configuration().map(|(argument, _)| *argument))?;
-        for (number, (_, input)) in configuration().enumerate() {
-            let from = self.bound(first.saturating_add(number));
-            self.mirror(from, input.parameter);
+        // The subscripts of all operands first, as in a scan; then the configuration alone is mirrored. REQ-EXEC-004, 061.
+        let first = self.bind_all(call.arguments.iter().copied())?;
+        for (operand, is_configuration) in call.inputs.iter().zip(&call.configuration) {
+            if *is_configuration {
+                let from = self.bound_input(first, *operand);
+                self.mirror(from, operand.parameter);
+            }
         }
         self.write_bit_cell(call.enable_in, false);
         self.write_bit_cell(call.enable_out, false);
