@@ -33,7 +33,18 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         &[],
     ),
     ("twinrung-defects", &[], &[]),
-    ("twinrung-hostile", &["twinrung-bytecode", "twinrung-compiler", "twinrung-controller", "twinrung-grammar"], &[]),
+    (
+        "twinrung-hostile",
+        &[
+            "twinrung-bytecode",
+            "twinrung-compiler",
+            "twinrung-controller",
+            "twinrung-grammar",
+            // The reader of scenario files is there.
+            "twinrung-workbench",
+        ],
+        &[],
+    ),
     (
         "twinrung-judge",
         &["twinrung-compiler", "twinrung-grammar", "twinrung-catalog", "twinrung-bytecode", "twinrung-safety-partner"],
