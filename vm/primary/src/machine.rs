@@ -21,7 +21,7 @@ use crate::stack::Stack;
 /// Instructions, the same again for the fault routine, and some to spare.
 pub(crate) const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH + 2) + 10;
 /// Branches open in all of them together.
-pub(crate) const BRANCHES: usize = FRAMES * (limits::BRANCH_DEPTH + 1);
+pub(crate) const BRANCHES: usize = FRAMES * limits::BRANCH_DEPTH;
 /// Values that one call passes.
 pub(crate) const TRANSFERS: usize = 512;
 /// A CONTROL whose last completed run ended while its rung was false: the mark in its hidden word (A.6).

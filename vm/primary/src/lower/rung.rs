@@ -18,12 +18,10 @@ use crate::program::{BitNumber, Code, Instruction, NONE, Operand, Program, Range
 use crate::run::{binary, relation};
 
 /// Work in a block after which it ends with the rung: bounds what is scheduled at once, and keeps what a block touches
-/// near in memory.
+/// near in memory. The orders of a block are no more than its work, so that they have room in a word beside four flags.
 const BLOCK: usize = 1 << 15;
 /// Cells that one instruction may touch within a block; what touches more stands alone.
 const TOUCHED: usize = 128;
-/// Orders of a block: they share a word with four flags.
-const ORDERS: u32 = 1 << 27;
 
 /// What lowering a body needs from outside.
 pub(super) struct Around<'a> {
@@ -130,7 +128,7 @@ impl Lowering<'_, '_> {
     }
 
     fn end_rung(&mut self) {
-        if !self.singles.is_empty() || self.rails.block.len() > BLOCK || self.order > ORDERS {
+        if !self.singles.is_empty() || self.rails.block.len() > BLOCK {
             self.flush();
         }
         let resume = self.program.steps.len() as u32;

@@ -107,15 +107,14 @@ impl<O: Observer> Run<'_, O> {
 
 /// Runs gates in the bank's own size, which spares every bounds check.
 fn gates(machine: &mut Machine, narrow: &[Gate<u16>], wide: &[Gate<u32>]) {
-    let [first, second, third, fourth, fifth] = BANKS;
+    let [first, second, third, fourth, _] = BANKS;
     let bank = machine.bits.as_mut_slice();
     match bank.len() {
         size if size == first => evaluate::<{ BANKS[0] }, u16>(bank, narrow),
         size if size == second => evaluate::<{ BANKS[1] }, u32>(bank, wide),
         size if size == third => evaluate::<{ BANKS[2] }, u32>(bank, wide),
         size if size == fourth => evaluate::<{ BANKS[3] }, u32>(bank, wide),
-        size if size == fifth => evaluate::<{ BANKS[4] }, u32>(bank, wide),
-        _ => {}
+        _ => evaluate::<{ BANKS[4] }, u32>(bank, wide),
     }
 }
 

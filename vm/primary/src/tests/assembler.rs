@@ -14,7 +14,7 @@ use twinrung_bytecode::operand::*;
 use twinrung_catalog::operand::OperandKind;
 use twinrung_catalog::{Element, Instruction, PredefinedType};
 
-use crate::Primary;
+use crate::{LoadError, Primary};
 
 /// An image under construction.
 pub(crate) struct Assembler {
@@ -520,8 +520,12 @@ impl Assembler {
         })
     }
 
+    pub(crate) fn load(&self) -> Result<Primary, LoadError> {
+        Primary::from_records(&self.image, &self.layouts)
+    }
+
     pub(crate) fn build(&self) -> Primary {
-        Primary::from_records(&self.image, &self.layouts).expect("a loaded image")
+        self.load().expect("a loaded image")
     }
 
     /// The cell of a scalar: bit or word.

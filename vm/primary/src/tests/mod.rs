@@ -7,6 +7,8 @@ mod files;
 mod flow;
 mod injection;
 mod jumps;
+mod limits;
+mod lowering;
 mod numbers;
 mod path;
 mod random;
