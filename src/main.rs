@@ -9,6 +9,7 @@ mod format;
 mod input;
 mod play;
 mod progress;
+mod stopwatch;
 mod terminal;
 mod verb;
 mod watch;

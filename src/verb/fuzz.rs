@@ -11,10 +11,11 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use twinrung_workbench::fuzz::{
-    Campaign, Case, Coverage, Failure, Outcome, Plan, Report, Subject, Told, is_replaying, replay, shrink,
+    Campaign, Case, Coverage, Failure, Outcome, Plan, Report, SCHEMA, Subject, Told, is_replaying, replay, shrink,
 };
 use twinrung_workbench::generate::Genome;
 
+use crate::stopwatch::Stopwatch;
 use crate::{exit, failed, files, input, terminal};
 
 /// The evaluators that run against each other.
@@ -66,7 +67,7 @@ pub struct Fuzz {
     /// Leave what differs as large as it was found
     #[arg(long)]
     as_found: bool,
-    /// Write the totals as JSON
+    /// Write the totals as JSON; they are added to those of a file that is there already
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     /// Show how often each instruction was executed
@@ -158,7 +159,10 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
         guided: !arguments.plain,
         earlier: arguments.corpus.as_deref().map_or(Ok(Vec::new()), genomes)?,
     };
+    // Before hours go by: a file that cannot be added to is said now.
+    let earlier = arguments.report.as_deref().map_or(Ok(None), reported)?;
     let begun = Instant::now();
+    let stopwatch = Stopwatch::start();
     let bar = progress(arguments);
     // What was found stands in the output even where its files could not be written.
     let mut unwritten = None;
@@ -180,14 +184,37 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
     bar.finish_and_clear();
     let took = begun.elapsed();
     if let Some(path) = &arguments.report {
-        let report = serde_json::to_vec_pretty(&Report::new(&campaign, &plan, took))?;
-        files::write_whole(path, &report).map_err(failed)?;
+        let here = Report::new(&campaign, &plan, cfg!(feature = "judge"), stopwatch.provenance(plan.jobs));
+        let report = earlier.map_or_else(
+            || here.clone(),
+            |mut earlier| {
+                earlier.add(&here);
+                earlier
+            },
+        );
+        files::write_whole(path, &serde_json::to_vec_pretty(&report)?).map_err(failed)?;
     }
     let code = summary(arguments, &campaign, took)?;
     if let Some(error) = unwritten {
         terminal::tell(format_args!("twinrung: {error}"));
     }
     Ok(code)
+}
+
+/// The totals that stand in a file already; none where there is no such file.
+fn reported(path: &Path) -> io::Result<Option<Report>> {
+    let wrong = |error: &dyn std::fmt::Display| io::Error::other(format!("{}: {error}", path.display()));
+    let bytes = match fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(wrong(&error)),
+    };
+    let report: Report = serde_json::from_slice(&bytes)
+        .map_err(|error| wrong(&format_args!("no report of a campaign, so nothing can be added to it: {error}")))?;
+    if !report.is_known() {
+        return Err(wrong(&format_args!("a report of form {}, and this release knows {SCHEMA}", report.schema)));
+    }
+    Ok(Some(report))
 }
 
 /// The genomes that an earlier campaign kept; none where there is no such folder yet.

@@ -7,6 +7,7 @@ use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::fuzz::{Campaign, Pairs, Plan, Point, Report, Told};
 use twinrung_workbench::generate::{self, Genome, Size};
+use twinrung_workbench::provenance::Provenance;
 
 use crate::command::twinrung;
 use crate::wrong_partner::{Defect, WrongPartner};
@@ -130,10 +131,10 @@ fn command_when_its_programs_are_beyond_a_limit_then_that_is_no_difference() {
 /// REQ-FUZZ-003
 #[test]
 fn reports_when_added_then_counts_add_up_and_only_what_none_has_reached_is_missing() {
-    let took = Duration::from_secs(2);
+    let provenance = Provenance { jobs: 2, seconds: 2.0, ..Provenance::default() };
     let reports = [1, 500].map(|seed| {
         let plan = Plan { seed, ..plan(30) };
-        Report::new(&plan.run::<Both>(|_| ()), &plan, took)
+        Report::new(&plan.run::<Both>(|_| ()), &plan, false, provenance.clone())
     });
     let mut sum = reports[0].clone();
     sum.add(&reports[1]);
@@ -141,4 +142,45 @@ fn reports_when_added_then_counts_add_up_and_only_what_none_has_reached_is_missi
     assert_eq!((sum.seconds, sum.thread_seconds, sum.seeds.as_slice()), (4.0, 8.0, &[1, 500][..]));
     let least = reports.iter().map(|report| report.points_missing.len()).min().unwrap();
     assert!(sum.points_missing.len() < least, "{} of {least}", sum.points_missing.len());
+    assert_eq!(sum.runs.iter().map(|run| (run.seed, run.programs)).collect::<Vec<_>>(), [(1, 30), (500, 30)]);
+}
+
+/// REQ-FUZZ-003. A point that one table argues away and the other demands is not reached because one does not miss it.
+#[test]
+fn reports_when_added_that_knew_different_tables_then_what_the_larger_misses_is_missing() {
+    let of = |reachable: usize, missing: &[&str]| {
+        let report = Report::new(&Campaign::default(), &plan(1), false, Provenance::default());
+        let points_missing = missing.iter().map(|point| (*point).to_owned()).collect();
+        Report { points_reachable: reachable, points_missing, ..report }
+    };
+    let sum = |mut one: Report, other: &Report| {
+        one.add(other);
+        (one.points_reachable, one.points_missing)
+    };
+    let (small, large) = (of(9, &["a"]), of(10, &["a", "b"]));
+    assert_eq!(sum(small.clone(), &large), (10, vec!["a".to_owned(), "b".to_owned()]));
+    assert_eq!(sum(large, &small), (10, vec!["a".to_owned(), "b".to_owned()]));
+}
+
+/// REQ-FUZZ-003
+#[test]
+fn command_when_its_report_is_there_already_then_it_adds_to_it_and_one_that_it_cannot_read_it_leaves() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("report.json");
+    let run = || {
+        let shown = path.to_str().unwrap();
+        twinrung(&["fuzz", "--programs", "3", "--scans", "3", "--jobs", "1", "--time", "10m", "--report", shown])
+    };
+    assert_eq!((run().code, run().code), (Some(0), Some(0)));
+    let report: Report = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    assert_eq!((report.programs, report.seeds.len(), report.runs.len()), (6, 2, 2));
+    let provenance = &report.runs[0].provenance;
+    assert_eq!((provenance.jobs, provenance.version.as_str()), (1, env!("CARGO_PKG_VERSION")));
+    let later = serde_json::to_string(&Report { schema: 999, ..report }).unwrap();
+    for text in ["{}", &later] {
+        fs::write(&path, text).unwrap();
+        let said = run();
+        assert_eq!((said.code, fs::read_to_string(&path).unwrap().as_str()), (Some(2), text), "{}", said.err);
+        assert!(said.err.contains("report.json: "), "{}", said.err);
+    }
 }

@@ -24,6 +24,7 @@ pub mod ladder;
 pub mod mix;
 pub mod names;
 pub mod pages;
+pub mod provenance;
 pub mod reaction;
 pub mod recording;
 pub mod run;

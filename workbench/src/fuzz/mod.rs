@@ -28,7 +28,7 @@ pub use executions::Executions;
 pub use pair::{Pair, Pairs};
 pub use plan::{Plan, Told};
 pub use replay::{Counts, Outcome, is_replaying, replay};
-pub use report::{DifferenceFound, Report};
+pub use report::{DifferenceFound, Report, Run, SCHEMA};
 pub use shrink::shrink;
 pub use subject::Subject;
 pub use system_values::{SystemSample, system_samples};

@@ -1,16 +1,29 @@
 //! What a campaign amounted to, for a machine: reports of several campaigns add up.
 
-use std::time::Duration;
+use std::cmp::Ordering;
 
 use serde::{Deserialize, Serialize};
+
+use crate::provenance::Provenance;
 
 use super::coverage::Coverage;
 use super::{Campaign, Plan};
 
+/// The form of reports that this release writes. Form 1 had no number and no [`Report::runs`].
+pub const SCHEMA: u32 = 2;
+
+/// The form of reports that say none.
+const fn first_schema() -> u32 {
+    1
+}
+
 /// The totals of one campaign, or of several.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// The release that ran it.
+    /// The form of this report: [`SCHEMA`].
+    #[serde(default = "first_schema")]
+    pub schema: u32,
+    /// The release that ran it, or the first of several.
     pub version: String,
     /// The first seed of each campaign.
     pub seeds: Vec<u64>,
@@ -38,6 +51,27 @@ pub struct Report {
     pub points_missing: Vec<String>,
     /// What differed.
     pub differences: Vec<DifferenceFound>,
+    /// Each campaign by itself; fewer than seeds where a release ran it that did not record that.
+    #[serde(default)]
+    pub runs: Vec<Run>,
+}
+
+/// One campaign of those that a report adds up.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// Its first seed.
+    pub seed: u64,
+    /// Whether programs were made of those that reached something new.
+    pub guided: bool,
+    /// Whether a third evaluator took part.
+    pub judged: bool,
+    /// Programs generated.
+    pub programs: u64,
+    /// Differences found.
+    pub differences: usize,
+    /// Which build, which machine, when, how long.
+    #[serde(flatten)]
+    pub provenance: Provenance,
 }
 
 /// A difference.
@@ -54,8 +88,8 @@ pub struct DifferenceFound {
 }
 
 impl Report {
-    /// The totals of a campaign that took so long.
-    pub fn new(campaign: &Campaign, plan: &Plan, took: Duration) -> Report {
+    /// The totals of a campaign, and whether a third evaluator took part in it.
+    pub fn new(campaign: &Campaign, plan: &Plan, judged: bool, provenance: Provenance) -> Report {
         let total = &campaign.total;
         let coverage = &total.executions.coverage;
         let differences = campaign.failures.iter().map(|failure| {
@@ -68,11 +102,12 @@ impl Report {
             }
         });
         Report {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
+            schema: SCHEMA,
+            version: provenance.version.clone(),
             seeds: vec![plan.seed],
             guided: plan.guided,
-            seconds: took.as_secs_f64(),
-            thread_seconds: took.as_secs_f64() * plan.jobs as f64,
+            seconds: provenance.seconds,
+            thread_seconds: provenance.seconds * plan.jobs as f64,
             programs: campaign.programs,
             refused: campaign.refused,
             scans: total.scans,
@@ -82,11 +117,21 @@ impl Report {
             points_reachable: Coverage::reachable(),
             points_missing: coverage.missing().iter().map(ToString::to_string).collect(),
             differences: differences.collect(),
+            runs: vec![Run {
+                seed: plan.seed,
+                guided: plan.guided,
+                judged,
+                programs: campaign.programs,
+                differences: campaign.failures.len(),
+                provenance,
+            }],
         }
     }
 
-    /// Adds another campaign of the same release.
+    /// Adds another campaign. What is missing is missing in both; where they had different tables of what there is to reach,
+    /// what is missing is that of the larger table, since the other may not have known it.
     pub fn add(&mut self, other: &Report) {
+        self.schema = self.schema.max(other.schema);
         self.seeds.extend(&other.seeds);
         self.guided |= other.guided;
         self.seconds += other.seconds;
@@ -97,7 +142,20 @@ impl Report {
         self.rungs += other.rungs;
         self.instructions += other.instructions;
         self.instruction_pairs = self.instruction_pairs.max(other.instruction_pairs);
-        self.points_missing.retain(|point| other.points_missing.contains(point));
+        match other.points_reachable.cmp(&self.points_reachable) {
+            Ordering::Equal => self.points_missing.retain(|point| other.points_missing.contains(point)),
+            Ordering::Less => {}
+            Ordering::Greater => {
+                self.points_reachable = other.points_reachable;
+                self.points_missing.clone_from(&other.points_missing);
+            }
+        }
         self.differences.extend_from_slice(&other.differences);
+        self.runs.extend_from_slice(&other.runs);
+    }
+
+    /// Whether this release knows the form of a report that was read.
+    pub fn is_known(&self) -> bool {
+        self.schema <= SCHEMA
     }
 }
