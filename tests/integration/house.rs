@@ -21,8 +21,14 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ("twinrung-controller", &["twinrung-bytecode", "twinrung-primary", "twinrung-partner"], &[]),
     ("twinrung-commission", &["twinrung-bytecode", "twinrung-controller"], &[]),
     (
+        "twinrung-contest",
+        &["twinrung-bytecode", "twinrung-catalog", "twinrung-compiler", "twinrung-grammar", "twinrung-safety-vectors"],
+        &[],
+    ),
+    (
         "twinrung-workbench",
         &[
+            "twinrung-contest",
             "twinrung-controller",
             "twinrung-compiler",
             "twinrung-bytecode",
@@ -32,6 +38,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         ],
         &[],
     ),
+    ("twinrung-conformance", &["twinrung-catalog", "twinrung-contest", "twinrung-trio"], &[]),
     ("twinrung-defects", &[], &[]),
     (
         "twinrung-hostile",
@@ -57,13 +64,13 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
             "twinrung-bytecode",
             "twinrung-catalog",
             "twinrung-compiler",
+            "twinrung-contest",
             "twinrung-grammar",
             "twinrung-judge",
             "twinrung-partner",
             "twinrung-primary",
             "twinrung-safety-partner",
             "twinrung-safety-vectors",
-            "twinrung-workbench",
         ],
         &[],
     ),

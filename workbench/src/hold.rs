@@ -8,7 +8,7 @@ use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::index::{BitCell, WordCell};
 use twinrung_controller::{Controller, Mode};
 
-use crate::signal::{Signal, Value, bit_of, number};
+use crate::signal::{ReadSignal, Signal, Value, bit_of, number};
 
 /// A cell, and what it is held at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

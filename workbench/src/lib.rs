@@ -7,7 +7,6 @@
 #![forbid(unsafe_code)]
 
 pub mod bench;
-pub mod cells;
 pub mod checklist;
 pub mod connected;
 pub mod coverage;
@@ -15,14 +14,12 @@ pub mod diagram;
 pub mod difference;
 pub mod drive;
 pub mod fuzz;
-pub mod generate;
 pub mod hold;
 #[cfg(feature = "injection")]
 pub mod inject;
 pub mod instruction_rungs;
 pub mod ladder;
 pub mod mix;
-pub mod names;
 pub mod pages;
 pub mod provenance;
 pub mod reaction;
@@ -35,8 +32,10 @@ pub mod threads;
 pub mod transition;
 mod usage;
 
+pub use twinrung_contest::{cells, generate, names};
+
 pub use recording::{Recording, Row};
 pub use run::{Outcome, Run, RunError};
-pub use signal::{Signal, SignalError, Value};
+pub use signal::{ReadSignal, Signal, SignalError, Value};
 pub use stimulus::{Stimulus, StimulusError};
 pub use threads::{OnThread, Threads};

@@ -2,10 +2,10 @@
 
 use twinrung_bytecode::channel::{Channel, Place, ScanEnd, Status};
 use twinrung_bytecode::index::{EventTaskIndex, ProgramIndex};
+use twinrung_contest::cells::{plain_bits, plain_words};
+use twinrung_contest::fuzz::Ended;
+use twinrung_contest::{Signal, names};
 use twinrung_judge::End;
-use twinrung_workbench::cells::{plain_bits, plain_words};
-use twinrung_workbench::fuzz::Ended;
-use twinrung_workbench::{Signal, names};
 
 use crate::disagreement::{Disagreement, LISTED};
 use crate::trio::Trio;

@@ -14,4 +14,4 @@ mod trio;
 pub use disagreement::Disagreement;
 pub use library::library;
 pub use trio::{Trio, Trios};
-pub use twinrung_workbench::fuzz::{Ended, Subject};
+pub use twinrung_contest::fuzz::{Ended, Subject};

@@ -9,13 +9,13 @@ use twinrung_bytecode::observer::Silent;
 use twinrung_catalog::Element;
 use twinrung_compiler::operand::SystemInstance;
 use twinrung_compiler::project::{ProgramId, TagId};
+use twinrung_contest::cells::{self, plain_bits, plain_words};
+use twinrung_contest::fuzz::{Contest, Ended, Evaluators, Executions, Subject, SystemSample, system_samples};
+use twinrung_contest::generate::Random;
+use twinrung_contest::{Signal, Value, names};
 use twinrung_judge::Judge;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
-use twinrung_workbench::cells::{self, plain_bits, plain_words};
-use twinrung_workbench::fuzz::{Contest, Ended, Evaluators, Executions, Subject, SystemSample, system_samples};
-use twinrung_workbench::generate::Random;
-use twinrung_workbench::{Signal, Value, names};
 
 use crate::disagreement::Disagreement;
 use crate::library::library;

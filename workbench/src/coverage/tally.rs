@@ -18,7 +18,7 @@ use super::shape::{self, Program, Rung, RungId};
 use super::state::Cells;
 use super::way::way;
 use crate::names;
-use crate::signal::{Signal, Value};
+use crate::signal::{ReadSignal, Signal, Value};
 
 /// Evaluations of one rung that are remembered, so that none is looked at twice.
 const REMEMBERED_MAX: usize = 1 << 20;

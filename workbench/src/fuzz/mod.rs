@@ -1,34 +1,9 @@
-//! Differential fuzzing: random valid programs run on evaluators that compare themselves after every scan, and what they
-//! differ in is shrunk to the smallest program and inputs that still show it.
-//!
-//! Which evaluators is a [`Contest`]: the two channels ([`Pairs`]), or with a third opinion where a test brings one.
+//! Differential fuzzing of the two channels: the contest of [`twinrung_contest::fuzz`] between them, and what a campaign
+//! amounted to.
 
-mod campaign;
-mod case;
-mod cases;
-mod contest;
-mod coverage;
-mod executions;
-mod guided;
-mod listing;
 mod pair;
-mod plan;
-mod replay;
 mod report;
-mod shrink;
-mod subject;
-mod system_values;
 
-pub use campaign::Campaign;
-pub use case::{Case, CaseError};
-pub use cases::{Failure, Found, Ran, ran, size_of};
-pub use contest::{Contest, Ended, Evaluators};
-pub use coverage::{Bits, Coverage, Point, Universe};
-pub use executions::Executions;
 pub use pair::{Pair, Pairs};
-pub use plan::{Plan, Told};
-pub use replay::{Counts, Outcome, is_replaying, replay};
 pub use report::{DifferenceFound, Report, Run, SCHEMA};
-pub use shrink::shrink;
-pub use subject::Subject;
-pub use system_values::{SystemSample, system_samples};
+pub use twinrung_contest::fuzz::*;

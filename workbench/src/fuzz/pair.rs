@@ -11,7 +11,7 @@ use crate::difference;
 use crate::generate::Random;
 use crate::signal::{Signal, Value};
 
-use super::{Contest, Ended, Evaluators, Executions, Subject, system_samples};
+use twinrung_contest::fuzz::{Contest, Ended, Evaluators, Executions, Subject, system_samples};
 
 /// The contest between two channels.
 #[derive(Debug, Clone, Copy, Default)]

@@ -6,8 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::provenance::Provenance;
 
-use super::coverage::Coverage;
-use super::{Campaign, Plan};
+use super::{Campaign, Coverage, Plan};
 
 /// The form of reports that this release writes. Form 1 had no number and no [`Report::runs`].
 pub const SCHEMA: u32 = 2;

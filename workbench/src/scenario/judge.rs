@@ -4,7 +4,7 @@ use twinrung_bytecode::channel::Channel;
 use twinrung_controller::{Controller, StopReason};
 
 use super::{Expectation, Expected};
-use crate::signal::Value;
+use crate::signal::{ReadSignal, Value};
 
 /// What has become of one expectation.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@ use crate::RunError;
 use crate::coverage::{Coverage, RungId, Watch};
 use crate::names;
 use crate::recording::{Recording, Row};
-use crate::signal::Signal;
+use crate::signal::{ReadSignal, Signal};
 
 /// What a report shows beside a failure.
 #[derive(Debug, Clone)]

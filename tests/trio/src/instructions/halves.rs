@@ -2,11 +2,11 @@
 
 use twinrung_bytecode::channel::{Channel, ScanEnd, ScanInputs};
 use twinrung_bytecode::observer::Silent;
+use twinrung_contest::cells::{self, plain_bit, plain_word};
+use twinrung_contest::generate::safety::{Call, Given};
+use twinrung_contest::{Signal, names};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
-use twinrung_workbench::cells::{self, plain_bit, plain_word};
-use twinrung_workbench::generate::safety::{Call, Given};
-use twinrung_workbench::{Signal, names};
 
 use super::project::operand_tag;
 use crate::Subject;

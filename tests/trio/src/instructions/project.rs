@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use twinrung_workbench::generate::safety::{Call, Given, element, value_text};
+use twinrung_contest::generate::safety::{Call, Given, element, value_text};
 
 /// A project with these calls, each on a rung of its own with a tag of its own for everything.
 pub fn program(calls: &[Call]) -> String {

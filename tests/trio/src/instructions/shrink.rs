@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use twinrung_workbench::generate::safety::{Call, Given, Inputs, value_text};
+use twinrung_contest::generate::safety::{Call, Given, Inputs, value_text};
 
 use super::halves::Halves;
 use super::project::program;

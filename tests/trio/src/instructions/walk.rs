@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use twinrung_catalog::{Code, CodeWord, Opcode};
-use twinrung_workbench::Signal;
+use twinrung_contest::Signal;
 
 use super::halves::Halves;
 use super::project::program;
 use super::shrink::{Log, shrink};
 use crate::Subject;
-use twinrung_workbench::generate::Random;
-use twinrung_workbench::generate::safety::{Call, Driver, Inputs};
+use twinrung_contest::generate::Random;
+use twinrung_contest::generate::safety::{Call, Driver, Inputs};
 
 /// Calls of one program: a load costs as much as thousands of scans.
 const CALLS: usize = 12;

@@ -2,8 +2,8 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use twinrung_contest::{Value, names};
 use twinrung_trio::{Disagreement, Ended, Subject, Trio};
-use twinrung_workbench::{Value, names};
 
 use super::source;
 use super::table::{Case, End, Row, Table};

@@ -1,16 +1,14 @@
 //! The conformance tables of the base instructions: every row on primary, partner and judge; every instruction of the
 //! catalog with every kind of row; every requirement with a table that shows it; admission on each controller.
 //!
-//! `TWINRUNG_TABLES=ton,tof cargo test --test conformance` runs the named tables only.
-
-mod conformance_support;
+//! `TWINRUNG_TABLES=ton,tof cargo test -p twinrung-conformance` runs the named tables only.
 
 use std::collections::BTreeSet;
 
-use conformance_support::admission;
-use conformance_support::run::failures;
-use conformance_support::table::{Case, Show, Table};
-use conformance_support::{chosen_tables, tables};
+use twinrung_conformance::admission;
+use twinrung_conformance::run::failures;
+use twinrung_conformance::table::{Case, Show, Table};
+use twinrung_conformance::{chosen_tables, tables};
 
 /// Each requirement and a table with a case that shows it.
 const REQUIREMENTS: &[(&str, &str)] = &[

@@ -1,8 +1,13 @@
 //! Conformance tables: readable traces of what each base instruction does, run on primary, partner and judge at once.
 //!
+//! It depends on the evaluators alone, so that a change in one of them is tested without building anything else. No
+//! release may use it.
+//!
 //! [`table`] describes the format of a table file and [`reader`] reads it; [`source`] makes a project of a case; [`run`] runs a case
 //! and compares each row; [`value`] reads and compares the values in the cells; [`admission`] tries each instruction on each
 //! controller.
+
+#![forbid(unsafe_code)]
 
 pub mod admission;
 pub mod reader;
@@ -18,7 +23,7 @@ use table::Table;
 
 /// The folder of the tables.
 pub fn folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/conformance")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tables")
 }
 
 /// Every table, in the order of the file names; those that cannot be read as what is wrong with them.

@@ -1,6 +1,6 @@
 //! Values in the cells of a table.
 
-use twinrung_workbench::Value;
+use twinrung_contest::Value;
 
 /// Reads a cell as a value of the same type as `like`.
 ///
