@@ -92,6 +92,8 @@ pub struct Judge<'p> {
     /// CONTROL structures whose run was completed on a false rung.
     pub(crate) completed_on_false: HashSet<Target>,
     pub(crate) library_instances: HashMap<Target, usize>,
+    /// Of them, those that a prescan has reached.
+    pub(crate) library_prescanned: HashSet<Target>,
     /// Numbers of programs and routines in fault records.
     numbers: (Vec<u32>, Vec<u32>),
     /// Whether something has overflowed since a subscript began to be computed.
@@ -131,6 +133,7 @@ impl<'p> Judge<'p> {
             prescanned: HashSet::new(),
             completed_on_false: HashSet::new(),
             library_instances: HashMap::new(),
+            library_prescanned: HashSet::new(),
             numbers: (Vec::new(), Vec::new()),
             subscript_overflow: false,
             first_scan_armed: false,
@@ -189,7 +192,8 @@ impl<'p> Judge<'p> {
         self.begin(Pass::Prescan, now_ms, budget);
         self.flags = Flags { executed: self.flags.executed, ..Flags::default() };
         self.records.fill([0; 11]);
-        self.memory.last_time.clear();
+        // Timers of the library forget with the prescan of their instruction.
+        self.memory.last_time.retain(|timer, _| matches!(timer.base, Base::Library(_)));
         self.prescan_ms = now_ms;
         self.completed_on_false.clear();
         self.prescanned.clear();

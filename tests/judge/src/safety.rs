@@ -111,14 +111,13 @@ impl<'p> Judge<'p> {
             ..frame.clone()
         };
         let flags = self.flags;
-        if frame.prescanning {
-            if let Some(routine) = definition.logic {
-                self.routine(&inner, routine)?;
-            }
-            if let Some(routine) = definition.prescan {
-                self.routine(&Frame { prescanning: false, ..inner.clone() }, routine)?;
-            }
-        } else if let Some(routine) = if condition { definition.logic } else { definition.enable_in_false } {
+        // One that no prescan has reached begins as if one just had.
+        if self.library_prescanned.insert(instance.clone()) || frame.prescanning {
+            self.prescan_library(definition, &inner)?;
+        }
+        if !frame.prescanning
+            && let Some(routine) = if condition { definition.logic } else { definition.enable_in_false }
+        {
             self.routine(&inner, routine)?;
         }
         self.flags = flags;
@@ -129,6 +128,19 @@ impl<'p> Judge<'p> {
                 let value = self.memory.integer(&inner);
                 self.put(&backing.part(at as u32), value);
             }
+        }
+        Ok(())
+    }
+
+    /// Prescans the ladder of an instruction; its timers have timed nothing.
+    fn prescan_library(&mut self, definition: &AddOn, inner: &Frame<'p>) -> Result<(), Exit> {
+        let instance = inner.instance.as_ref().map(|instance| &instance.target.base);
+        self.memory.last_time.retain(|timer, _| Some(&timer.base) != instance);
+        if let Some(routine) = definition.logic {
+            self.routine(&Frame { prescanning: true, ..inner.clone() }, routine)?;
+        }
+        if let Some(routine) = definition.prescan {
+            self.routine(&Frame { prescanning: false, ..inner.clone() }, routine)?;
         }
         Ok(())
     }

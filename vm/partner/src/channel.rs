@@ -62,7 +62,9 @@ impl Channel for Partner {
         self.state.status = crate::state::Flags::default();
         self.state.cleared_faults = 0;
         self.state.records.fill([0; RECORD_WORDS]);
-        self.state.memory.set_all_stamps(inputs.now_ms);
+        // Timers of the library belong to the prescan of their instruction, which a fault may end this one before.
+        let image_words = self.state.memory.image_words;
+        self.state.memory.set_stamps(0..image_words, inputs.now_ms);
         self.set_first_scan(false);
         self.state.armed = true;
         Walker::new(&self.ladder, &mut self.state, observer, inputs).prescan()

@@ -264,6 +264,8 @@ pub(crate) struct Call {
     pub(crate) configuration: Vec<bool>,
     /// For a safety application instruction: its private state.
     pub(crate) private: PrivateCells,
+    /// For a safety application instruction: private bit cell that says that a prescan has reached it since loading.
+    pub(crate) prescanned: u32,
 }
 
 /// Consecutive cells of the channel's own.

@@ -5,6 +5,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// Cells of a bank whose indices fit 16 bits.
 pub(crate) const SMALL: usize = 1 << 16;
@@ -123,10 +124,8 @@ impl Memory {
         }
     }
 
-    /// Sets every time stamp in use.
-    pub(crate) fn set_all_stamps(&mut self, value: i64) {
-        for stamp in self.stamps.iter_mut().take(self.used_words) {
-            *stamp = value;
-        }
+    /// Sets the time stamps that belong to a range of word cells.
+    pub(crate) fn set_stamps(&mut self, cells: Range<usize>, value: i64) {
+        self.stamps.get_mut(cells).unwrap_or_default().fill(value);
     }
 }

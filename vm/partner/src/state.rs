@@ -140,7 +140,8 @@ impl State {
         for (cell, value) in ladder.initial_words.iter().enumerate() {
             self.memory.set_word(cell as u32, *value);
         }
-        self.memory.set_all_stamps(0);
+        let used_words = self.memory.used_words;
+        self.memory.set_stamps(0..used_words, 0);
         self.status = Flags::default();
         self.executed = 0;
         self.executed_before = 0;

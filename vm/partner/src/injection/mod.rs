@@ -97,6 +97,7 @@ fn call(call: &mut Call, visitor: &mut BitVisitor) {
     visitor.field(&mut Packed(&mut call.enable_in_false));
     visitor.fields(&mut call.configuration);
     visitor.field(&mut call.private);
+    visitor.field(&mut call.prescanned);
 }
 
 fn subroutine(call: &mut Subroutine, visitor: &mut BitVisitor) {

@@ -11,7 +11,7 @@ use twinrung_catalog::Element;
 use super::code::Operands;
 use super::context::{Base, Context, Instance};
 use super::{LoadError, Loader};
-use crate::ladder::{Argument, BodyIndex, Call, Input, Location, Output, PrivateCells};
+use crate::ladder::{Argument, BodyIndex, Call, Input, Location, NONE, Output, PrivateCells};
 
 /// The cell of an elementary member whose structure begins at these cells.
 pub(crate) fn member_location(bit: u32, word: u32, element: Element) -> Location {
@@ -52,6 +52,7 @@ impl<'a> Loader<'a> {
             enable_in_false: None,
             configuration: Vec::new(),
             private: PrivateCells::default(),
+            prescanned: NONE,
         };
         let mut in_outs = vec![None; add_on.parameters.len()];
         let mut next = 1usize;

@@ -126,6 +126,7 @@ impl<'a> Loader<'a> {
             Some(tasks)
         };
         let (first_field, fields) = self.fields_of(context.library, type_reference);
+        let is_array = !end.is_element && end.dimensions.iter().any(|length| *length > 0);
         let start = match tasks {
             None => Argument::At(location),
             Some(tasks) => {
@@ -140,7 +141,8 @@ impl<'a> Loader<'a> {
         };
         self.spans.push(Span {
             start,
-            count: if parameter && end.is_element { 1 } else { access.count },
+            // The count reaches to the end of the array that the element lies in, through an alias too.
+            count: if parameter && !is_array { 1 } else { access.count },
             element: access.element,
             bytes,
             bits,

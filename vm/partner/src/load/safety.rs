@@ -147,6 +147,7 @@ impl<'a> Loader<'a> {
             enable_in_false: add_on.enable_in_false.map(|routine| self.queue(routine, inner)),
             configuration,
             private,
+            prescanned: self.private_bit(false),
         };
         self.calls.push(call);
         Ok(self.calls.len().wrapping_sub(1) as u32)

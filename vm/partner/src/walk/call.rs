@@ -86,12 +86,25 @@ impl<O: Observer> Walker<'_, O> {
         if self.frame.mode == Mode::Prescan {
             return self.prescan_safety(step, call);
         }
-        let input = self.frame.rail;
         let first = self.bind_all(call.arguments.iter().copied())?;
+        let begins = !self.state.memory.bit(call.prescanned);
+        if begins {
+            self.forget_private(call);
+        }
         for operand in &call.inputs {
             let from = self.bound_input(first, *operand);
             self.mirror(from, operand.parameter);
         }
+        match begins {
+            // No prescan has reached it: it begins as if one just had. REQ-EXEC-061.
+            true => self.begin_prescan(step.first, call, first),
+            false => self.execute_safety(step.first, call, first),
+        }
+    }
+
+    /// Runs the library's ladder on operands that have been mirrored; bound arguments from `first` on are done with.
+    fn execute_safety(&mut self, number: u32, call: &Call, first: usize) -> Result<(), Fault> {
+        let input = self.frame.rail;
         self.write_bit_cell(call.enable_in, input);
         let flags = self.state.status;
         let body = if input { Some(call.logic) } else { call.enable_in_false };
@@ -101,7 +114,7 @@ impl<O: Observer> Walker<'_, O> {
             self.finish_call(input);
             return Ok(());
         };
-        self.begin_library(body, Mode::Normal, Link::Safety(step.first, flags), first)
+        self.begin_library(body, Mode::Normal, Link::Safety(number, flags), first)
     }
 
     /// Mirrors an operand; the declared types fit, so that no flag is concerned.
@@ -143,8 +156,13 @@ impl<O: Observer> Walker<'_, O> {
         self.write_bit_cell(call.enable_in, false);
         self.write_bit_cell(call.enable_out, false);
         self.forget_private(call);
+        self.begin_prescan(step.first, call, first)
+    }
+
+    fn begin_prescan(&mut self, number: u32, call: &Call, first: usize) -> Result<(), Fault> {
+        self.state.memory.set_bit(call.prescanned, true);
         let flags = self.state.status;
-        self.begin_library(call.logic, Mode::Prescan, Link::SafetyPrescan(step.first, flags), first)
+        self.begin_library(call.logic, Mode::Prescan, Link::SafetyPrescan(number, flags), first)
     }
 
     /// Begins a body of the library, which is at work from here on.
@@ -156,7 +174,7 @@ impl<O: Observer> Walker<'_, O> {
         self.begin(body, mode, link, bound).inspect_err(|_| self.state.in_library = within)
     }
 
-    /// Private state gets its initial values.
+    /// Private state gets its initial values, and no time has passed for its timers.
     fn forget_private(&mut self, call: &Call) {
         let ladder = self.ladder;
         let private = call.private;
@@ -165,30 +183,37 @@ impl<O: Observer> Walker<'_, O> {
             self.state.memory.set_bit(cell as u32, *value);
         }
         let words = private.word as usize..private.word.saturating_add(private.words) as usize;
-        for (cell, value) in words.clone().zip(ladder.initial_words.get(words).unwrap_or(&[])) {
+        for (cell, value) in words.clone().zip(ladder.initial_words.get(words.clone()).unwrap_or(&[])) {
             self.state.memory.set_word(cell as u32, *value);
         }
+        self.state.memory.set_stamps(words, self.inputs.now_ms);
     }
 
-    pub(super) fn leave_safety_prescan(&mut self, number: u32, flags: Flags) {
+    pub(super) fn leave_safety_prescan(&mut self, number: u32, flags: Flags) -> Flow {
         let ladder = self.ladder;
         match ladder.calls.get(number as usize).and_then(|call| call.prescan) {
             Some(body) => {
                 self.enter(body, Mode::Normal, Link::SafetyPrescanned(number, flags), self.frame.bound);
+                Flow::On
             }
             None => self.leave_safety_prescanned(number, flags),
         }
     }
 
-    pub(super) fn leave_safety_prescanned(&mut self, number: u32, flags: Flags) {
+    /// The prescan of the library's ladder has ended: that of the instruction too, or its first execution follows.
+    pub(super) fn leave_safety_prescanned(&mut self, number: u32, flags: Flags) -> Flow {
         self.pop_frame();
         self.state.in_library = false;
         self.state.status = flags;
         let ladder = self.ladder;
-        if let Some(call) = ladder.calls.get(number as usize) {
-            self.write_bit_cell(call.enable_in, false);
-            self.write_bit_cell(call.enable_out, false);
+        let Some(call) = ladder.calls.get(number as usize) else { return Flow::On };
+        if self.frame.mode == Mode::Normal {
+            let result = self.execute_safety(number, call, self.state.bound.len());
+            return self.after(result);
         }
+        self.write_bit_cell(call.enable_in, false);
+        self.write_bit_cell(call.enable_out, false);
         self.finish_call(false);
+        Flow::On
     }
 }

@@ -287,8 +287,8 @@ impl<O: Observer> Walker<'_, O> {
             Link::AddOn(call) => return self.leave_add_on(call),
             Link::AddOnPrescan(call) => return self.leave_prescanned_logic(call),
             Link::Safety(call, flags) => self.leave_safety(call, flags),
-            Link::SafetyPrescan(call, flags) => self.leave_safety_prescan(call, flags),
-            Link::SafetyPrescanned(call, flags) => self.leave_safety_prescanned(call, flags),
+            Link::SafetyPrescan(call, flags) => return self.leave_safety_prescan(call, flags),
+            Link::SafetyPrescanned(call, flags) => return self.leave_safety_prescanned(call, flags),
             Link::Fault(override_was_on) => {
                 return self.leave_fault_routine(override_was_on).map_or(Flow::On, Flow::Ends);
             }
