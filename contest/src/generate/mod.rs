@@ -6,6 +6,7 @@ mod expression;
 mod guards;
 mod literals;
 mod operands;
+mod palette;
 mod program;
 mod random;
 mod rungs;

@@ -6,6 +6,7 @@ use twinrung_catalog::Element;
 use twinrung_catalog::instructions::ALL;
 
 use super::data::{Kind, Member, Names, Record, Role, Variable};
+use super::palette::Palette;
 use super::random::Random;
 use super::writer::{AddOn, Parameter, Passing, Shared, Subroutine, Writer};
 use super::{Actor, Generated, Input, Size, literals, text};
@@ -29,7 +30,7 @@ pub fn program(seed: u64, size: Size) -> Generated {
 
 /// The program that these choices make.
 pub fn program_of(random: &mut Random, size: Size) -> Generated {
-    let mut shared = Shared { records: records(random), ..Shared::default() };
+    let mut shared = Shared { records: records(random), palette: Palette::of(random), ..Shared::default() };
     shared.event_tasks = ["Report", "Log"].iter().take(random.between(1, 2)).map(|name| (*name).to_owned()).collect();
     let programs = random.between(1, size.programs);
     shared.programs =
@@ -204,7 +205,11 @@ fn controller_tags(random: &mut Random, names: &mut Names, records: &[Record]) -
     ] {
         add(Variable::new(name, kind).array(dimensions));
     }
-    add(Variable::new("Timer", Kind::Timer).initial("[0,30,0]"));
+    // A preset below 0 is a fault where the timer is reached, whoever set it.
+    add(Variable::new("Timer", Kind::Timer).initial(if random.one_in(40) { "[0,-30,0]" } else { "[0,30,0]" }));
+    if random.one_in(8) {
+        drive("Timer.PRE".to_owned(), Element::Dint, None);
+    }
     add(Variable::new("Counter", Kind::Counter).initial("[0,2,2147483645]"));
     add(Variable::new("Control", Kind::Control).initial("[0,3,0]"));
     add(Variable::new("Exact", Kind::Record(0)));

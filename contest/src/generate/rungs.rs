@@ -1,24 +1,10 @@
 //! Rungs: sequences of instructions and branches, and the groups of rungs that belong together.
 
-use twinrung_catalog::instructions::ALL;
-use twinrung_catalog::{Group, Instruction, Opcode, Position};
+use twinrung_catalog::{Instruction, Position};
 
 use super::data::{Kind, Part, Role};
 use super::literals;
 use super::writer::{Passing, Writer};
-
-/// How often an instruction is drawn in relation to others.
-fn weight(instruction: &Instruction) -> usize {
-    match (instruction.opcode, instruction.group) {
-        // These have a group of rungs of their own, or stand at the end of a path.
-        (Opcode::Mcr | Opcode::Jmp | Opcode::Lbl | Opcode::Sbr, _) => 0,
-        (Opcode::Ret | Opcode::Tnd, _) => 1,
-        (Opcode::Afi | Opcode::Nop, _) => 2,
-        (Opcode::Ssv, _) => 1,
-        (_, Group::Bit) => 12,
-        _ => 5,
-    }
-}
 
 impl Writer<'_> {
     /// `count` rungs or a few more.
@@ -116,11 +102,12 @@ impl Writer<'_> {
 
     fn drawn(&mut self, wanted: impl Fn(Position) -> bool) -> String {
         let fits = |one: &Instruction| !one.group.is_safety_library() && wanted(one.position);
-        let total: usize = ALL.iter().filter(|one| fits(one)).map(|one| weight(one)).sum();
+        let drawn: Vec<(&'static Instruction, usize)> =
+            self.shared.palette.iter().filter(|(one, _)| fits(one)).collect();
+        let total: usize = drawn.iter().map(|(_, weight)| weight).sum();
         for _ in 0..6 {
             let mut at = self.random.below(total);
-            for instruction in ALL.iter().copied().filter(|one| fits(one)) {
-                let weight = weight(instruction);
+            for &(instruction, weight) in &drawn {
                 if at < weight {
                     if let Some(text) = self.call(instruction) {
                         return self.sometimes(instruction, text);

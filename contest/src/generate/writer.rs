@@ -4,6 +4,7 @@ use twinrung_catalog::Element;
 
 use super::Actor;
 use super::data::{Kind, Names, Part, Place, Record, Role, Variable};
+use super::palette::Palette;
 use super::random::Random;
 
 /// A subroutine that can be called.
@@ -47,6 +48,7 @@ pub struct Shared {
     pub add_ons: Vec<AddOn>,
     pub event_tasks: Vec<String>,
     pub programs: Vec<String>,
+    pub palette: Palette,
 }
 
 /// A place with its subscripts written.
