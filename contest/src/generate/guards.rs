@@ -111,11 +111,12 @@ impl Writer<'_> {
         }
     }
 
-    /// Data that other logic writes too, reached in any way; none where nothing fits.
+    /// Data that other logic writes too, reached in any way; none where nothing fits. Channels of one device are different
+    /// tags, so it is none of those that stand before.
     fn shared_operand(&mut self, kind: OperandKind, before: &[String], own: &str) -> Option<String> {
         let element = element(kind);
         if element == Element::Bool && self.random.percent(30) {
-            return self.bit_of_word(false, own);
+            return self.bit_of_word(false, own).filter(|text| !before.contains(text));
         }
         // Not the call's own backing tag, which stands first.
         let fits = |place: &Place| {
@@ -125,7 +126,6 @@ impl Writer<'_> {
             };
             alike && !place.is_array() && place.base != own
         };
-        // Channels of one device are different tags.
         self.wished_place(fits).map(|named| named.text).filter(|text| !before.contains(text))
     }
 
