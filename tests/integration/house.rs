@@ -19,6 +19,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
     ("twinrung-primary", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-primary"], &[]),
     ("twinrung-partner", &["twinrung-bytecode", "twinrung-catalog", "twinrung-safety-partner"], &[]),
     ("twinrung-controller", &["twinrung-bytecode", "twinrung-primary", "twinrung-partner"], &[]),
+    ("twinrung-plant", &["twinrung-catalog"], &[]),
     ("twinrung-commission", &["twinrung-bytecode", "twinrung-controller"], &[]),
     (
         "twinrung-contest",
@@ -34,6 +35,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
             "twinrung-bytecode",
             "twinrung-catalog",
             "twinrung-grammar",
+            "twinrung-plant",
             "twinrung-safety-vectors",
         ],
         &[],

@@ -1,0 +1,166 @@
+//! A module with its two connections, and all modules of a project together.
+
+use crate::connection::{Connection, ConnectionStatus};
+use crate::device::{Device, model};
+use crate::member::{Command, Reading};
+use crate::settings::ModuleSettings;
+use crate::stimulus::{Refusal, Stimulus, Terminal};
+
+/// µs of one look at the terminals.
+const STEP_US: u64 = 1000;
+
+/// A module, with the connection that its inputs or status come on and the one that commands go out on.
+pub struct Station {
+    device: Box<dyn Device>,
+    readings: Vec<Reading>,
+    commands: Vec<Command>,
+    present: bool,
+    running: bool,
+    input: Connection,
+    output_limit_us: u64,
+    last_output_us: Option<u64>,
+    now_us: u64,
+}
+
+impl Station {
+    /// A module that reports these members and is told these, each in the order of its tag. Nothing for a module that has no
+    /// model.
+    pub fn new(settings: &ModuleSettings, readings: Vec<Reading>, commands: Vec<Command>) -> Option<Station> {
+        let mut device = model(settings)?;
+        device.power_up(0);
+        Some(Station {
+            device,
+            readings,
+            commands,
+            present: true,
+            running: true,
+            input: Connection::new(settings.input_rpi_us, settings.input_limit_us),
+            output_limit_us: settings.output_limit_us,
+            last_output_us: None,
+            now_us: 0,
+        })
+    }
+
+    /// Whether something can happen to the module.
+    ///
+    /// # Errors
+    ///
+    /// [`Refusal`].
+    pub fn accepts(&self, stimulus: &Stimulus) -> Result<(), Refusal> {
+        self.device.accepts(stimulus)
+    }
+
+    /// The terminal of a point: `0` is `I0` at an input module.
+    pub fn point(&self, number: u8) -> Terminal {
+        Terminal::new(self.device.letter(), number)
+    }
+
+    /// Whether 24 V stand at a terminal; nothing where there is no such terminal.
+    pub fn is_high(&self, terminal: Terminal) -> Option<bool> {
+        self.device.is_high(terminal).map(|high| high && self.present)
+    }
+
+    fn apply(&mut self, stimulus: &Stimulus, now_ms: u64) {
+        match stimulus {
+            Stimulus::Present(true) if !self.present => {
+                self.present = true;
+                self.last_output_us = None;
+                self.device.power_up(now_ms);
+            }
+            Stimulus::Present(present) => self.present = *present,
+            Stimulus::Running(running) => self.running = *running,
+            _ => self.device.apply(stimulus),
+        }
+    }
+
+    fn step(&mut self, now_ms: u64) {
+        self.now_us = now_ms * STEP_US;
+        if self.present {
+            if self.last_output_us.is_some_and(|last| self.now_us - last > self.output_limit_us) {
+                self.last_output_us = None;
+                self.device.output_connection_lost(now_ms);
+            }
+            self.device.step(now_ms);
+        }
+        let Station { device, readings, .. } = self;
+        self.input.pass(self.now_us, self.present, self.running, |data| {
+            data.extend(readings.iter().map(|reading| device.read(*reading)));
+        });
+    }
+
+    /// The status of the connection that the tag comes on.
+    pub fn status(&self) -> ConnectionStatus {
+        self.input.status(self.now_us)
+    }
+
+    /// The members of the input tag as the controller has them now, in order.
+    pub fn values(&self) -> impl Iterator<Item = i32> + '_ {
+        let status = self.status();
+        self.readings.iter().enumerate().map(move |(position, reading)| match reading {
+            Reading::RunMode => i32::from(status.run_mode()),
+            Reading::ConnectionFaulted => i32::from(status.connection_faulted()),
+            _ => self.input.value(self.now_us, position),
+        })
+    }
+
+    /// A packet with commands from the controller arrives: the values of the output tag in order.
+    pub fn receive(&mut self, values: impl Iterator<Item = bool>) {
+        if !self.present {
+            return;
+        }
+        self.last_output_us = Some(self.now_us);
+        for (command, on) in self.commands.iter().zip(values) {
+            // An idle module holds its outputs in the safe state (decided).
+            self.device.command(*command, on && self.running);
+        }
+        self.device.commanded(self.now_us / STEP_US);
+    }
+}
+
+/// All modules of a project.
+#[derive(Default)]
+pub struct Plant {
+    stations: Vec<Station>,
+    next_ms: u64,
+}
+
+impl Plant {
+    /// Modules at power-up, with nothing closed and nothing broken.
+    pub fn new(stations: Vec<Station>) -> Plant {
+        Plant { stations, next_ms: 0 }
+    }
+
+    /// The modules, in the order in which they were given.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// A module by its position.
+    pub fn station_mut(&mut self, position: usize) -> Option<&mut Station> {
+        self.stations.get_mut(position)
+    }
+
+    /// Something happens to a module at a time in ms: its look at the terminals at that time sees it.
+    pub fn apply(&mut self, position: usize, stimulus: &Stimulus, at_ms: u64) {
+        while self.next_ms < at_ms {
+            self.step();
+        }
+        if let Some(station) = self.stations.get_mut(position) {
+            station.apply(stimulus, at_ms);
+        }
+    }
+
+    /// Everything up to and including the look at the terminals at a time in ms.
+    pub fn through(&mut self, time_ms: u64) {
+        while self.next_ms <= time_ms {
+            self.step();
+        }
+    }
+
+    fn step(&mut self) {
+        for station in &mut self.stations {
+            station.step(self.next_ms);
+        }
+        self.next_ms += 1;
+    }
+}

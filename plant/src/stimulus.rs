@@ -1,0 +1,126 @@
+//! What acts on a module from outside: devices and wires at its terminals, its power, its connection.
+
+use std::fmt;
+
+/// A terminal: `I0`, `O3`, `C1`, a test output `T1`, the sensor supply `S2` of an analog channel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Terminal {
+    /// What it is, in upper case.
+    pub letter: char,
+    /// Which one.
+    pub number: u8,
+}
+
+impl Terminal {
+    /// A terminal by letter and number.
+    pub const fn new(letter: char, number: u8) -> Terminal {
+        Terminal { letter: letter.to_ascii_uppercase(), number }
+    }
+
+    /// `I00`, `T1` as a terminal.
+    pub fn parse(text: &str) -> Option<Terminal> {
+        let letter = text.chars().next().filter(char::is_ascii_alphabetic)?;
+        let digits = text.get(1..).filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()))?;
+        Some(Terminal::new(letter, digits.parse().ok()?))
+    }
+}
+
+impl fmt::Display for Terminal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.letter, self.number)
+    }
+}
+
+/// What a device does at its terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Signal {
+    /// A contact is closed, or a sensor is on; or not.
+    Contact(bool),
+    /// A voltage in mV, a current in µA or a frequency in mHz, as the range of the channel says.
+    Amount(i64),
+}
+
+/// What is wrong with the wire at a terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// It touches 24 V.
+    ToSupply,
+    /// It touches 0 V.
+    ToCommon,
+    /// It touches the wire at another terminal.
+    To(Terminal),
+    /// It is broken, or the lamp or sensor at its end is burnt out.
+    Open,
+}
+
+/// Something that happens to a module.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stimulus {
+    /// A device changes.
+    Signal(Terminal, Signal),
+    /// A wire gets a fault; it keeps those that it has.
+    Fault(Terminal, Fault),
+    /// Every fault of a wire is gone.
+    Repaired(Terminal),
+    /// Field power is there, or not.
+    FieldPower(bool),
+    /// The module is there; or it is pulled, without power or off the network. It begins as at power-up when it is back.
+    Present(bool),
+    /// The module runs, or is idle.
+    Running(bool),
+}
+
+/// Why something cannot happen to a module.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Refusal {
+    /// The module has no such terminal.
+    NoTerminal(Terminal),
+    /// The project does not use the terminal.
+    NotUsed(Terminal),
+    /// The terminal takes no device: outputs are switched by the module.
+    NoDevice(Terminal),
+    /// The device at this terminal is on or off.
+    NotAnAmount(Terminal),
+    /// The terminal takes a number.
+    NotAContact(Terminal),
+    /// More than the terminal stands, or less.
+    Beyond(Terminal),
+    /// A wire cannot touch itself.
+    Itself(Terminal),
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::NoTerminal(terminal) => write!(f, "the module has no terminal {terminal}"),
+            Refusal::NotUsed(terminal) => write!(f, "the project does not use the terminal {terminal}"),
+            Refusal::NoDevice(terminal) => write!(f, "the module switches {terminal}, no device does"),
+            Refusal::NotAnAmount(terminal) => write!(f, "the device at {terminal} is on or off"),
+            Refusal::NotAContact(terminal) => write!(f, "{terminal} takes a number"),
+            Refusal::Beyond(terminal) => write!(f, "{terminal} cannot have so much, or so little"),
+            Refusal::Itself(terminal) => write!(f, "the wire at {terminal} cannot touch itself"),
+        }
+    }
+}
+
+impl Refusal {
+    /// What to do about it.
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Refusal::NotUsed(terminal) if terminal.letter == 'T' => {
+                Some(format!("set its mode in the module: `TEST {terminal} (Mode := PULSE_TEST);`"))
+            }
+            Refusal::NotUsed(terminal) => {
+                let (letter, number) = (terminal.letter, terminal.number);
+                let width = if letter == 'C' { 1 } else { 2 };
+                Some(format!("set its mode in the module: `POINT {letter}{number:0width$} (Mode := SAFETY);`"))
+            }
+            Refusal::Beyond(_) => Some("at most 30 V either way, 30 mA, or 10000 Hz".to_owned()),
+            Refusal::NotAnAmount(_) => Some("write `is on` or `is off`".to_owned()),
+            Refusal::NotAContact(_) => Some("write volts, milliamperes or hertz, as its range is".to_owned()),
+            _ => None,
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
