@@ -18,8 +18,8 @@ use crate::run::jsr_operands;
 use crate::stack::Stack;
 
 /// Routines within routines: a main routine, [`limits::CALL_DEPTH`] subroutines, [`limits::ADD_ON_DEPTH`] Add-On
-/// Instructions, the same again for the fault routine, and some to spare.
-pub(crate) const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH + 2) + 10;
+/// Instructions, and the same again for the fault routine.
+pub(crate) const FRAMES: usize = 2 * (limits::CALL_DEPTH + limits::ADD_ON_DEPTH + 1);
 /// Branches open in all of them together.
 pub(crate) const BRANCHES: usize = FRAMES * limits::BRANCH_DEPTH;
 /// Values that one call passes.

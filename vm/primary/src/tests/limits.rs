@@ -175,3 +175,35 @@ fn load_error_when_shown_then_names_the_channel_and_what_it_was_about() {
         ]
     );
 }
+
+/// A call of an Add-On Instruction with an Input, an InOut BOOL and an Output, with these arguments.
+fn call(arguments: &str) -> Option<LoadError> {
+    let mut assembler = Assembler::new();
+    assembler.tags("a BOOL; i j DINT; many BOOL[4]");
+    let parameters = [("In", "DINT", Usage::Input), ("Bit", "BOOL", Usage::InOut), ("Out", "DINT", Usage::Output)];
+    assembler.add_on("Block", &parameters, &[], [&["XIC(Bit)MOV(In,Out)"], &[], &[]]);
+    assembler.tag("inst", "Block");
+    assembler.tag("insts", "Block[2]");
+    assembler.main(&[&format!("Block({arguments})")]);
+    assembler.load().err()
+}
+
+#[test]
+fn add_on_call_when_its_arguments_are_not_those_of_the_declaration_then_is_refused() {
+    let malformed = Some(LoadError::Malformed("the call of an Add-On Instruction"));
+    assert_eq!(call("inst,i,a,j"), None);
+    assert_eq!(call("inst,i,a"), malformed);
+    assert_eq!(call("inst,i,a,j,j"), malformed);
+    assert_eq!(call("i,i,a,j"), malformed);
+}
+
+#[test]
+fn add_on_call_when_what_it_binds_is_not_fixed_cells_then_is_refused() {
+    let unbound = Some(LoadError::Unsupported("an InOut argument with a variable subscript"));
+    assert_eq!(call("inst,i,many[1],j"), None);
+    assert_eq!(call("inst,i,many[i],j"), unbound);
+    assert_eq!(call("inst,i,i.3,j"), unbound);
+    assert_eq!(call("insts[1],i,a,j"), None);
+    let unfixed = Some(LoadError::Unsupported("an instance with a variable subscript"));
+    assert_eq!(call("insts[i],i,a,j"), unfixed);
+}

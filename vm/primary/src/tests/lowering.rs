@@ -8,11 +8,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 use std::format;
 
+use twinrung_catalog::Opcode;
+
 use super::assembler::{Assembler, Cell};
 use super::rig::Rig;
 use crate::lower::table::{Gate, Kind};
 use crate::number::{Binary, Relation};
-use crate::program::{Program, Step};
+use crate::program::{Code, Program, Step};
 
 const TAGS: &str = "a b c d e f g h BOOL; flags BOOL[8]; i j k DINT; n INT; p SINT; q r REAL; arr DINT[8]; \
                     big more DINT[80]; small SINT[8]; reals REAL[4]; t TIMER; u TIMER; s COUNTER; z CONTROL";
@@ -180,6 +182,49 @@ fn timer_when_logic_may_make_its_words_negative_then_stands_alone() {
 }
 
 #[test]
+fn timer_when_a_copy_over_its_array_and_moves_within_it_are_written_then_stands_alone() {
+    let mut assembler = Assembler::new();
+    assembler.tags("from to TIMER[8]; i DINT");
+    assembler.main(&["COP(from[0],to[0],8)", "MOV(i,to[1].PRE)MOV(i,to[2].PRE)", "TON(to[6],?,?)TON(from[6],?,?)"]);
+    let program = assembler.build().program;
+    let singles: Vec<Opcode> = program
+        .steps
+        .iter()
+        .filter_map(|step| match step {
+            Step::Single(single) => Some(program.codes[single.code as usize]),
+            Step::Block { .. } | Step::End { .. } => None,
+        })
+        .filter_map(|code| match code {
+            Code::Instruction(index) => Some(program.instructions[index as usize].opcode),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(singles, [Opcode::Ton]);
+}
+
+#[test]
+fn scan_when_a_word_was_set_below_zero_then_goes_by_steps_where_no_timer_holds_it() {
+    let mut rig = Rig::new("t TIMER; i DINT; b BOOL", &["TON(t,?,?)"]);
+    rig.set("i", -1);
+    assert!(rig.silent.machine.doubtful);
+    rig.scan();
+    assert!(!rig.silent.machine.doubtful);
+    rig.set("t.PRE", -1);
+    rig.scan();
+    assert!(rig.silent.machine.doubtful);
+    rig.set("t.PRE", 0);
+    rig.scan();
+    assert!(!rig.silent.machine.doubtful);
+    rig.set("t.ACC", -1);
+    rig.scan();
+    assert!(rig.silent.machine.doubtful);
+    rig.set("t.ACC", 0);
+    rig.set("i", 0);
+    rig.scan();
+    assert!(!rig.silent.machine.doubtful);
+}
+
+#[test]
 fn instruction_when_it_touches_128_cells_then_stands_in_a_block_and_with_more_alone() {
     assert_eq!(kinds("COP(big[0],more[0],64)"), [Some(Kind::General)]);
     assert_eq!(kinds("COP(big[0],more[0],65)"), [None]);
@@ -275,10 +320,16 @@ fn gates_when_the_bit_bank_is_of_any_size_then_are_evaluated() {
 }
 
 #[test]
-fn work_when_ordered_then_equal_work_of_neighbouring_rungs_is_one_run() {
-    let rungs: Vec<String> = (0..8).map(|bit| format!("XIC(flags[{bit}])MOV({bit},arr[{bit}])")).collect();
+fn work_when_ordered_then_equal_work_of_many_rungs_is_one_run() {
+    let rung = |bit: u32| format!("XIC(flags[{bit}])MOV({bit},arr[{bit}])ADD(i,{bit},big[{bit}])");
+    let rungs: Vec<String> = (0..8).map(rung).collect();
     let rungs: Vec<&str> = rungs.iter().map(String::as_str).collect();
     let program = lowered(&rungs);
     let runs: Vec<(Kind, u32)> = program.tables.runs.iter().map(|run| (run.kind, run.range.count)).collect();
-    assert_eq!(runs, [(Kind::Moves, 8)]);
+    assert_eq!(runs, [(Kind::Moves, 8), (Kind::Arithmetic(Binary::Add), 8)]);
+}
+
+#[test]
+fn operand_when_several_instructions_name_it_then_is_decoded_once() {
+    assert_eq!(lowered(&["XIC(a)OTE(b)", "XIO(a)OTL(b)"]).operands.len(), 2);
 }
