@@ -56,6 +56,8 @@ impl Runner<'_> {
         if let Some(budget) = case.budget {
             self.trio.budget = budget;
         }
+        // The primary once more in the order of the text, as it runs for an observer.
+        self.trio.count_executions();
         let mut wrong = Vec::new();
         let first = case.rows.first().filter(|row| !row.prescan);
         if let Some(Err(disagreement)) = first.map(|row| self.trio.prescan(row.time)) {
