@@ -203,3 +203,30 @@ fn output_tag_when_the_module_takes_no_data_then_its_output_data_is_the_way_out(
         .collect();
     assert_eq!(helps, ["`Field` takes no data as it is declared; its OutputData says what it takes"]);
 }
+
+#[test]
+fn elements_when_reached_by_different_variable_subscripts_then_one_is_not_taken_for_the_other() {
+    let tags = "    T : DINT[4] (Class := Safety);\n    A, C, I, J : DINT (Class := Safety);\n    B : BOOL[32] (Class := Safety);\n    G, H : DCI_STOP (Class := Safety);\n    S, R : BOOL (Class := Safety);\n";
+    let rungs = "NEQ(T[I],0)DIV(A,T[I],C)\nNEQ(T[I],0)DIV(A,T[J],C)\n\
+                 DCS(G,1,0,500,0,0,B[I],B[I],S,R)\nDCS(H,1,0,500,0,0,B[I],B[J],S,R)";
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", &project("", tags, rungs, ""));
+    let checked = check(&reading, &Completion::default());
+    let wanted = ["W0107", "S0605"];
+    let found: Vec<(&str, &str)> = checked
+        .findings
+        .iter()
+        .filter(|finding| wanted.contains(&finding.code.id))
+        .map(|finding| (sources.text(finding.span), finding.message.as_str()))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("T[J]", "nothing on the rung keeps `T[...]` from being 0"),
+            ("B[I]", "Channel A and Channel B are the same tag"),
+            ("B[J]", "Channel A and Channel B may be the same tag"),
+        ],
+        "{}",
+        lines(&sources, &checked)
+    );
+}

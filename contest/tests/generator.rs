@@ -1,6 +1,7 @@
 //! What the generator of random programs promises.
 
 use twinrung_catalog::Opcode;
+use twinrung_contest::fuzz::Subject;
 use twinrung_contest::generate::{self, Size};
 use twinrung_grammar::tree::Sources;
 use twinrung_grammar::{print_file_checked, read};
@@ -36,6 +37,19 @@ fn generated_programs_when_printed_then_their_text_reads_as_what_it_was_printed_
                 .cloned()
                 .map(|error| error.message)
                 .or_else(|| print_file_checked(&reading.file).err().map(|why| why.to_string()))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn generated_programs_when_compiled_then_no_rule_refuses_one() {
+    let wrong: Vec<String> = (0..1500)
+        .map(|seed| generate::program(seed, Size::SMALL).text)
+        .filter_map(|text| {
+            let why = Subject::from_text(&text).err()?;
+            let line: usize = why[0].split([' ', ':']).nth(1)?.parse().ok()?;
+            Some(format!("{why:?} in {}", text.lines().nth(line - 1)?))
         })
         .collect();
     assert!(wrong.is_empty(), "{wrong:#?}");

@@ -274,7 +274,7 @@ impl<'a> Reader<'a> {
 }
 
 fn same(left: &Reference, right: &Reference) -> bool {
-    left.location == right.location
+    left.is_same_data(right)
 }
 
 /// Conditions in series before an instruction, on the one path that leads to it. Whether it was found.

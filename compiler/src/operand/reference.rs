@@ -128,6 +128,26 @@ pub struct Location {
 }
 
 impl Reference {
+    /// Whether it reaches the data that another reaches, whatever variable subscripts come to.
+    pub fn is_same_data(&self, other: &Reference) -> bool {
+        self.location == other.location && self.variable_subscripts().eq(other.variable_subscripts())
+    }
+
+    /// Subscripts and numbers of bits that are no constants, in order.
+    fn variable_subscripts(&self) -> impl Iterator<Item = &Expression> {
+        self.steps.iter().flat_map(|step| match step {
+            Step::Subscript(subscripts) => subscripts
+                .iter()
+                .filter_map(|subscript| match subscript {
+                    Subscript::Expression(expression) => Some(&**expression),
+                    Subscript::Constant(_) => None,
+                })
+                .collect(),
+            Step::BitExpression(expression) => vec![&**expression],
+            Step::Member(_) | Step::Bit(_) => Vec::new(),
+        })
+    }
+
     /// What it reaches.
     pub fn shape(&self) -> Shape {
         if self.location.bit.is_some() {

@@ -53,7 +53,9 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                         continue;
                     };
                     if a.location == b.location {
-                        let message = format!("{first} and {second} are the same tag");
+                        // Elements of one array by different variable subscripts: the two may meet.
+                        let verb = if a.is_same_data(b) { "are" } else { "may be" };
+                        let message = format!("{first} and {second} {verb} the same tag");
                         let help = "wire and name both channels: one channel checks nothing";
                         findings.push(Finding::new(&CODE, one.span, message).help(help));
                     }

@@ -47,10 +47,10 @@ fn is_guarded(project: &Project, rung: &Rung, division: &Instruction, divisor: &
         guarded |= compares
             && instruction.element < division.element
             && instruction.operands.iter().any(|one| match project.operand(one.id) {
-                Operand::Reference(reference) => reference.location == divisor.location,
+                Operand::Reference(reference) => reference.is_same_data(divisor),
                 Operand::Expression(expression) => {
                     let mut found = false;
-                    expression.visit(&mut |reference| found |= reference.location == divisor.location);
+                    expression.visit(&mut |reference| found |= reference.is_same_data(divisor));
                     found
                 }
                 _ => false,

@@ -116,7 +116,7 @@ impl Writer<'_> {
     fn shared_operand(&mut self, kind: OperandKind, before: &[String], own: &str) -> Option<String> {
         let element = element(kind);
         if element == Element::Bool && self.random.percent(30) {
-            return self.bit_of_word(false, own).filter(|text| !before.contains(text));
+            return self.bit_of_word(false, own).filter(|text| self.is_apart(text, before));
         }
         // Not the call's own backing tag, which stands first.
         let fits = |place: &Place| {
@@ -126,7 +126,28 @@ impl Writer<'_> {
             };
             alike && !place.is_array() && place.base != own
         };
-        self.wished_place(fits).map(|named| named.text).filter(|text| !before.contains(text))
+        self.wished_place(fits).map(|named| named.text).filter(|text| self.is_apart(text, before))
+    }
+
+    /// Whether an operand is none of those that stand before it, under another name or by another subscript either.
+    fn is_apart(&self, text: &str, before: &[String]) -> bool {
+        let meant = self.meant(text);
+        before.iter().all(|other| self.meant(other) != meant)
+    }
+
+    /// An operand with what an alias stands for in the place of the alias, and variable subscripts left out.
+    fn meant(&self, text: &str) -> String {
+        let end = text.find(['.', '[']).unwrap_or(text.len());
+        let (base, rest) = text.split_at(end);
+        let mut variables = self.own.variables.iter().chain(&self.outer.variables);
+        let target = variables.find(|one| one.name == base).and_then(|one| one.alias.as_deref()).unwrap_or(base);
+        let whole = format!("{target}{rest}");
+        let constant = |part: &&str| !part.split(']').next().is_some_and(|inner| inner.contains(char::is_alphabetic));
+        let (first, others) = whole.split_once('[').unwrap_or((&whole, ""));
+        others.split('[').fold(first.to_owned(), |kept, part| {
+            let shown = if constant(&part) { part } else { part.split_once(']').map_or("", |(_, after)| after) };
+            format!("{kept}[{shown}")
+        })
     }
 
     /// A tag of its own.

@@ -57,7 +57,7 @@ impl Writer<'_> {
             OperandKind::Integer(access) => self.number(access, true),
             OperandKind::Structure(wanted, _) => self.structure(wanted.name, call),
             OperandKind::Resettable => {
-                let off_timers = self.off_timers.clone();
+                let off_timers = [self.off_timers.as_slice(), &self.passed_off].concat();
                 let fits = |place: &Place| {
                     place.kind.is_structure()
                         && !place.is_array()
@@ -65,7 +65,9 @@ impl Writer<'_> {
                         && !is_alias(place)
                         && !off_timers.contains(&place.base)
                 };
-                self.place(fits).map(|named| named.text)
+                let named = self.place(fits)?;
+                self.reset.push(named.base);
+                Some(named.text)
             }
             OperandKind::Pseudo(member) => Some(match (call.owns_structure, member) {
                 (true, "PRE") => self.random.of(&["?", "0", "10", "25", "40", "100", "2147483647"]).to_string(),
@@ -232,16 +234,18 @@ impl Writer<'_> {
             _ => Kind::Control,
         };
         let is_off_timer = call.opcode == Some(Opcode::Tof);
+        let reset = self.reset.clone();
         let text = if is_off_timer && !self.off_timers.is_empty() && self.random.percent(20) {
             self.random.of(&self.off_timers.clone()).clone()
         } else if is_off_timer
             && self.random.percent(30)
             && let Some(named) = self.wished_place(|place| {
                 // In an Add-On Instruction any timer that it is given; in a program those that RES leaves alone.
-                let passed = place.base.starts_with(super::program::IN_OUT);
+                let passed = place.base.starts_with(super::program::IN_OUT) && !reset.contains(&place.base);
                 place.kind == kind && !place.is_array() && (place.base.starts_with("Off_") || passed)
             })
         {
+            self.passed_off.push(named.base);
             named.text
         } else if !is_off_timer
             && self.random.percent(30)

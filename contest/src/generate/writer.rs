@@ -130,6 +130,9 @@ pub struct Writer<'w> {
     pub fresh: usize,
     /// Timers of TOFs, which RES must not name.
     pub off_timers: Vec<String>,
+    /// Passed timers that TOF has, and structures that RES resets: the two keep apart.
+    pub passed_off: Vec<String>,
+    pub reset: Vec<String>,
     /// Instances of Add-On Instructions.
     pub instances: Vec<(usize, String)>,
     /// What stands before a name of `own` for somebody outside; nothing where its tags cannot be driven.
