@@ -17,7 +17,7 @@ pub const RECOVERABLE: u8 = 4;
 pub fn of_scans(stopped: Option<StopReason>) -> ExitCode {
     match stopped {
         None => ExitCode::SUCCESS,
-        Some(StopReason::Safety(_)) => ExitCode::from(NONRECOVERABLE),
+        Some(StopReason::Safety(_) | StopReason::PartnershipLost) => ExitCode::from(NONRECOVERABLE),
         Some(StopReason::Recoverable(_)) => ExitCode::from(RECOVERABLE),
     }
 }

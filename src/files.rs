@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Writes a file under a temporary name beside its place, flushes it to the disk, renames it and flushes the folder: a reader
 /// sees the old file or the new one, after a loss of power too. Through a link its target is written; a device or a pipe is written as it is, never replaced by a file.
@@ -50,4 +50,24 @@ fn temporary(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
 #[cfg(not(unix))]
 fn temporary(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     tempfile::NamedTempFile::new_in(folder)
+}
+
+/// Whether a file's name has this ending.
+pub fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
+}
+
+/// The file itself, or the files of a folder, in the order of their names, that have this ending.
+pub fn with_ending(path: &Path, ending: &str) -> io::Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    if path.is_dir() {
+        for entry in fs::read_dir(path)? {
+            files.push(entry?.path());
+        }
+        files.sort();
+    } else {
+        files.push(path.to_owned());
+    }
+    files.retain(|path| has_ending(path, ending));
+    Ok(files)
 }

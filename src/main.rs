@@ -7,6 +7,7 @@ mod files;
 mod findings;
 mod format;
 mod input;
+mod instructions;
 mod play;
 mod progress;
 mod stopwatch;
@@ -49,6 +50,10 @@ enum Verb {
     Test(verb::test::Test),
     /// Commission a controller that is kept in a folder: modes, lock, signature, forces, faults
     Controller(verb::controller::Controller),
+    /// Run several controllers together: produced and consumed safety tags, and what becomes of a lost connection
+    Line(verb::line::LineOfControllers),
+    /// Show, generate, remove and compare the signatures of safety Add-On Instructions
+    Signature(verb::signature::Signature),
     /// Measure the scan time against period and watchdog
     Bench(verb::bench::Bench),
     /// Run random programs on both interpreters until they differ
@@ -76,6 +81,8 @@ fn main() -> ExitCode {
         Verb::Run(arguments) => verb::run::run(&arguments),
         Verb::Test(arguments) => verb::test::run(&arguments),
         Verb::Controller(arguments) => verb::controller::run(&arguments),
+        Verb::Line(arguments) => verb::line::run(&arguments),
+        Verb::Signature(arguments) => verb::signature::run(&arguments),
         Verb::Bench(arguments) => verb::bench::run(&arguments),
         Verb::Fuzz(arguments) => verb::fuzz::run(&arguments),
         Verb::Reaction(arguments) => verb::reaction::run(&arguments),

@@ -120,6 +120,7 @@ impl Played {
 pub fn explained(image: &AdmittedImage, reason: StopReason) -> String {
     match reason {
         StopReason::Safety(fault) => difference::fault_words(image, fault),
+        StopReason::PartnershipLost => "the partnership of primary and safety partner is lost".to_owned(),
         StopReason::Recoverable(MajorFault { code, place }) => {
             format!("major fault 4/{code} at {}", place_words(image.image(), place))
         }

@@ -62,6 +62,7 @@ impl Fault {
         let kind = match reason {
             StopReason::Safety(_) => FaultKind::NonrecoverableSafety,
             StopReason::Recoverable(_) => FaultKind::Recoverable,
+            StopReason::PartnershipLost => FaultKind::NonrecoverableController,
         };
         Fault { kind, fault_type, code, at_ms, what }
     }

@@ -11,20 +11,26 @@
 #![forbid(unsafe_code)]
 
 pub mod card;
+pub mod edit;
+mod editing;
 pub mod fault;
 pub mod identity;
+pub mod instruction;
 pub mod lifecycle;
 pub mod password;
 pub mod permission;
 pub mod record;
+pub mod replacement;
 pub mod signature;
 pub mod state;
 pub mod store;
 mod words;
 
 pub use card::{Card, LoadMode};
+pub use edit::{OnlineEdit, Stage};
 pub use fault::{Fault, FaultKind, LOG_ENTRIES_MAX, LogEntry};
 pub use identity::Identity;
+pub use instruction::SealedInstruction;
 pub use lifecycle::{Downloaded, Refused};
 pub use password::{PasswordError, Passwords};
 pub use permission::{Permission, permissions};

@@ -156,6 +156,7 @@ impl ControllerState {
         self.signature = None;
         self.forces.clear();
         self.forces_enabled = false;
+        self.edit = None;
         self.inhibited.clear();
         self.settle("safety memory was reinitialized by a download");
     }
@@ -284,7 +285,12 @@ impl ControllerState {
     /// As the table says.
     pub fn store_to_card(&self, load_mode: LoadMode) -> Result<Card, Refused> {
         self.permit(Action::StoreToCard)?;
-        let application = self.application.clone().unwrap_or(Application { name: String::new(), image: Vec::new() });
+        let application = self.application.clone().unwrap_or(Application {
+            name: String::new(),
+            image: Vec::new(),
+            instructions: Vec::new(),
+            configure_always: false,
+        });
         Ok(Card {
             made_for: self.identity.clone(),
             locked: self.locked,
@@ -330,6 +336,7 @@ impl ControllerState {
             self.locked = false;
             self.forces.clear();
             self.forces_enabled = false;
+            self.edit = None;
             self.inhibited.clear();
             self.mode = Mode::Program;
         }

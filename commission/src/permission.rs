@@ -32,18 +32,7 @@ pub fn permissions(state: &ControllerState) -> Vec<Permission> {
         .collect()
 }
 
-/// Whether a controller in a folder has the action at all: no edits, and no Add-On Instruction outside its project.
+/// Whether a controller in a folder has the action at all: what is done in a project file is not done here.
 fn is_done_here(action: Action) -> bool {
-    !matches!(
-        action,
-        Action::BeginEdit
-            | Action::AcceptEdits
-            | Action::TestEdits
-            | Action::UntestEdits
-            | Action::AssembleEdits
-            | Action::CancelEdits
-            | Action::EditOffline
-            | Action::CreateAddOn
-            | Action::ImportAddOn
-    )
+    !matches!(action, Action::EditOffline | Action::CreateAddOn | Action::ImportAddOn)
 }

@@ -23,11 +23,11 @@ impl fmt::Display for SafetyTaskSignature {
     }
 }
 
-fn write_id<S: Serializer>(id: &[u8; 32], to: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn write_id<S: Serializer>(id: &[u8; 32], to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&long_form(id))
 }
 
-fn read_id<'de, D: Deserializer<'de>>(from: D) -> Result<[u8; 32], D::Error> {
+pub(crate) fn read_id<'de, D: Deserializer<'de>>(from: D) -> Result<[u8; 32], D::Error> {
     let text = String::deserialize(from)?;
     id_of(&text).ok_or_else(|| serde::de::Error::custom("an ID has 64 hexadecimal digits"))
 }

@@ -4,8 +4,10 @@ use serde::{Deserialize, Serialize};
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{Edits, Forces, Keyswitch, Place, SafetyTaskStatus, State};
 
+use crate::edit::OnlineEdit;
 use crate::fault::{Fault, LogEntry};
 use crate::identity::Identity;
+use crate::instruction::SealedInstruction;
 use crate::password::Passwords;
 use crate::signature::SafetyTaskSignature;
 use crate::words::{KeyswitchWord, ModeWord};
@@ -18,6 +20,12 @@ pub struct Application {
     /// The sealed image.
     #[serde(skip)]
     pub image: Vec<u8>,
+    /// Its safety Add-On Instructions: their safety instruction signatures are generated when they are downloaded.
+    #[serde(default)]
+    pub instructions: Vec<SealedInstruction>,
+    /// Whether the project has the controller configure replaced modules always (1756-RM093 I/O Module Replacement).
+    #[serde(default)]
+    pub configure_always: bool,
 }
 
 /// A force on a value of an I/O, produced or consumed safety tag.
@@ -52,6 +60,9 @@ pub struct ControllerState {
     pub forces: Vec<Force>,
     /// Whether they are enabled.
     pub forces_enabled: bool,
+    /// The online edit of safety routines.
+    #[serde(default)]
+    pub edit: Option<OnlineEdit>,
     /// Modules whose connection is inhibited.
     pub inhibited: Vec<String>,
     /// The fault of the safety task.
@@ -75,6 +86,7 @@ impl ControllerState {
             signature: None,
             forces: Vec::new(),
             forces_enabled: false,
+            edit: None,
             inhibited: Vec::new(),
             fault: None,
             overridden: false,
@@ -91,7 +103,7 @@ impl ControllerState {
         }
     }
 
-    /// What protection asks. A controller here has no online edits.
+    /// What protection asks.
     pub fn protection(&self) -> State {
         State {
             place: Place::Online,
@@ -104,7 +116,7 @@ impl ControllerState {
                 (false, false) => Forces::Disabled,
                 (false, true) => Forces::Enabled,
             },
-            edits: Edits::None,
+            edits: self.edit.as_ref().map_or(Edits::None, |edit| edit.stage.edits()),
             status: self.status(),
             takes_card: self.identity.takes_card(),
         }

@@ -18,7 +18,12 @@ fn project(id: u8) -> Project {
     Project {
         made_for: controller().identity,
         id: [id; 32],
-        application: Application { name: format!("Project_{id}"), image: vec![id; 3] },
+        application: Application {
+            name: format!("Project_{id}"),
+            image: vec![id; 3],
+            instructions: Vec::new(),
+            configure_always: false,
+        },
     }
 }
 

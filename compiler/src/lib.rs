@@ -14,6 +14,7 @@
 pub mod completion;
 pub mod diagnostic;
 mod flow;
+pub mod instruction_signature;
 pub mod library;
 pub mod lower;
 pub mod names;
@@ -83,6 +84,8 @@ pub(crate) fn check_inputs(reading: &Reading, completion: &Completion, library: 
     let inputs = project::Inputs { file: &reading.file, completion, library };
     let project = project::build(&inputs, &mut findings);
     rules::check(&project, &mut findings);
+    let files: Vec<_> = std::iter::once(&reading.file).chain(&completion.contexts).collect();
+    rules::check_files(&files, &mut findings);
     // A declaration that could not be read may be the one that a name misses.
     let in_rungs = |kind: ErrorKind| matches!(kind, ErrorKind::MalformedRung | ErrorKind::UnknownRungKind);
     if reading.errors.iter().any(|error| !in_rungs(error.kind)) {

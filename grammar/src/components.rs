@@ -127,6 +127,7 @@ pub(crate) fn add_on_instruction(name: Name, mut fields: Fields<'_>, span: Span)
         parameters: Vec::new(),
         local_tags: Vec::new(),
         routines: Vec::new(),
+        history: Vec::new(),
         islands: Vec::new(),
         description: fields.boxed_text(&["Description"]),
         attributes: fields.rest(),

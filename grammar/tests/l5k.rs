@@ -119,12 +119,19 @@ fn tasks_when_read_then_have_times_and_programs() {
     assert_eq!(file.tasks[1].programs[0].as_str(), "SafetyProgram");
 }
 
+#[test]
+fn history_of_an_instruction_when_read_then_its_entries_have_their_attributes() {
+    let file = sample().file;
+    let [entry] = file.add_on_instructions[0].history.as_slice() else { unreachable!() };
+    assert_eq!(entry.attributes[0].key.as_str(), "User");
+    assert_eq!(entry.attributes[0].value.text().unwrap().as_str(), "RA-INT\\JBieder2");
+}
+
 /// REQ-LANG-013
 #[test]
 fn islands_when_skipped_then_are_named() {
     let file = sample().file;
     let kinds: Vec<_> = file.islands.iter().map(|island| island.kind.as_str()).collect();
     assert_eq!(kinds, ["PARAMETER_CONNECTION", "TREND", "QUICK_WATCH", "CONFIG", "CONFIG"]);
-    assert_eq!(file.add_on_instructions[0].islands[0].kind.as_str(), "HISTORY_ENTRY");
     assert_eq!(file.programs[0].islands[0].kind.as_str(), "CHILD_PROGRAMS");
 }

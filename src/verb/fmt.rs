@@ -29,7 +29,7 @@ pub struct Fmt {
 pub fn run(arguments: &Fmt) -> io::Result<ExitCode> {
     let mut changed = false;
     for path in rll_files(&arguments.file)? {
-        changed |= if has_ending(&path, "scenario") {
+        changed |= if files::has_ending(&path, "scenario") {
             let before = input::text(&path)?;
             written(&path, &before, &laid_out(&before), arguments.check)?
         } else {
@@ -46,7 +46,7 @@ fn rll_files(path: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files: Vec<PathBuf> = Vec::new();
     for entry in fs::read_dir(path)? {
         let path = entry?.path();
-        if has_ending(&path, "rll") || has_ending(&path, "scenario") {
+        if files::has_ending(&path, "rll") || files::has_ending(&path, "scenario") {
             files.push(path);
         }
     }
@@ -67,7 +67,7 @@ fn format_one(path: &Path, check: bool) -> io::Result<bool> {
     }
     let unprintable = |why| failed(NotWritable { path: path.display().to_string(), why });
     let after = print_file_checked(&reading.file).map_err(unprintable)?;
-    if !has_ending(path, "rll") {
+    if !files::has_ending(path, "rll") {
         terminal::out().write_all(after.as_bytes())?;
         return Ok(false);
     }
@@ -84,10 +84,6 @@ fn written(path: &Path, before: &str, after: &str, check: bool) -> io::Result<bo
         writeln!(terminal::out(), "{}: rewritten", path.display())?;
     }
     Ok(changed)
-}
-
-fn has_ending(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }
 
 /// A file that cannot be read is left as it is.

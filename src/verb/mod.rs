@@ -11,7 +11,9 @@ pub mod fmt;
 pub mod fuzz;
 #[cfg(feature = "injection")]
 pub mod inject;
+pub mod line;
 pub mod reaction;
 pub mod run;
 pub mod show;
+pub mod signature;
 pub mod test;

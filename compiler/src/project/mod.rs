@@ -18,7 +18,7 @@ pub(crate) mod reading;
 pub mod standard;
 mod tags;
 
-pub(crate) use build::{Inputs, build};
+pub(crate) use build::{Inputs, build, is_argument};
 pub(crate) use names_in_scope::ScopeNames;
 
 use twinrung_grammar::tree::{CompactString, Span};

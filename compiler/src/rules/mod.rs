@@ -31,6 +31,27 @@ macro_rules! sample {
     };
 }
 
+/// A complete project with a safety Add-On Instruction: what stands among its attributes, or at its end.
+macro_rules! instruction {
+    (attributes $attributes:literal) => { instruction!($attributes; "") };
+    (history $history:literal) => { instruction!(""; $history) };
+    ($attributes:literal; $history:literal) => {
+        concat!(
+            "CONTROLLER Sample (ProcessorType := \"1756-L73S\", Major := 20)\n",
+            "  ADD_ON_INSTRUCTION_DEFINITION Copy_Bit (Class := Safety", $attributes, ")\n    PARAMETERS\n",
+            "      From : BOOL (Usage := Input, Required := Yes);\n",
+            "      To : BOOL (Usage := Output, Required := Yes);\n    END_PARAMETERS\n",
+            "    ROUTINE Logic\n      RC: \"To follows From.\";\n      N: XIC(From)OTE(To);\n    END_ROUTINE\n", $history,
+            "  END_ADD_ON_INSTRUCTION_DEFINITION\n",
+            "  TAG\n    Copy : Copy_Bit (Class := Safety);\n    Run, Go : BOOL (Class := Safety);\n  END_TAG\n",
+            "  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")\n    ROUTINE Main\n      N: Copy_Bit(Copy,Go,Run);\n",
+            "    END_ROUTINE\n  END_PROGRAM\n",
+            "  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 20, Priority := 5)\n",
+            "    Safety_Main;\n  END_TASK\nEND_CONTROLLER\n"
+        )
+    };
+}
+
 /// Declares the entry of a rule in the code table.
 macro_rules! rule {
     ($(#[$doc:meta])* $id:literal, $severity:ident, $title:literal, $explanation:literal, $citation:literal, good: $good:expr, bad: $bad:expr) => {
@@ -88,8 +109,10 @@ rules! {
     expression_operator,
     forces,
     input_written,
+    instruction_signature,
     integer_division,
     limit_off,
+    maker_signature,
     masked_discrepancy,
     master_control,
     mixed_compare,
@@ -123,6 +146,7 @@ rules! {
     shared_storage,
     short_discrepancy,
     short_pattern,
+    signature_history,
     sil_2_data,
     standard_tag,
     standard_write,
@@ -144,6 +168,8 @@ rules! {
     written_tag,
 }
 
+use twinrung_grammar::tree::File;
+
 use crate::diagnostic::Findings;
 use crate::project::Project;
 
@@ -152,6 +178,13 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
     for rule in ALL {
         rule(project, findings);
     }
+}
+
+/// Applies every rule that looks at what the files say beside what is compiled of them.
+pub(crate) fn check_files(files: &[&File], findings: &mut Findings) {
+    instruction_signature::check(files, findings);
+    maker_signature::check(files, findings);
+    signature_history::check(files, findings);
 }
 
 /// Rules over whole projects; findings are ordered by place afterwards.

@@ -167,6 +167,13 @@ fn add_on_instruction(layout: &mut Layout, add_on: &AddOnInstruction) {
         for routine in &add_on.routines {
             self::routine(layout, routine);
         }
+        for entry in &add_on.history {
+            let mut list = List::default();
+            list.rest(&entry.attributes);
+            layout.block(&entry.trivia, "HISTORY_ENTRY", &list.items, "END_HISTORY_ENTRY", |layout| {
+                body(layout, &entry.text);
+            });
+        }
         islands(layout, &add_on.islands);
     });
 }

@@ -17,6 +17,7 @@ impl Reader<'_> {
                 "ROUTINE" | "ST_ROUTINE" | "FBD_ROUTINE" | "SFC_ROUTINE" => {
                     add_on.routines.extend(self.routine(word));
                 }
+                "HISTORY_ENTRY" => add_on.history.push(self.history_entry()),
                 "ENCODED_DATA" => match self.encoded_routine() {
                     Ok(routine) => add_on.routines.push(routine),
                     Err(encoded) => self.file.encoded.push(*encoded),

@@ -3,7 +3,7 @@
 
 use super::{Reader, declaration, refusal};
 use crate::fields::Fields;
-use crate::tree::{Encoded, ErrorKind, Island, Name, Span, Text};
+use crate::tree::{Attribute, Encoded, ErrorKind, HistoryEntry, Island, Name, Span, Text};
 
 /// The islands: the word that begins one and the word that ends it.
 const ISLANDS: &[(&str, &str)] = &[
@@ -99,17 +99,7 @@ impl Reader<'_> {
     pub(super) fn encoded(&mut self) -> Encoded {
         let trivia = self.cursor.leading();
         let span = self.cursor.next().map_or(Span::default(), |token| self.cursor.span(token));
-        let file = self.cursor.file;
-        self.cursor.take_head();
-        let attributes = self.cursor.checked_run().and_then(|run| {
-            declaration::AttributesParser::new()
-                .parse(file, run.iter().copied())
-                .map_err(|error| refusal(file, error, ErrorKind::MalformedDeclaration, "an attribute list"))
-        });
-        let attributes = attributes.unwrap_or_else(|error| {
-            self.cursor.errors.push(error);
-            Vec::new()
-        });
+        let attributes = self.attributes_without_name();
         let mut fields = Fields::new(attributes, &mut self.cursor.errors);
         let kind = fields.name(&["EncodedType"]).unwrap_or_default();
         let name = fields.name(&["Name"]);
@@ -117,6 +107,34 @@ impl Reader<'_> {
         let text = self.island_body("ENCODED_DATA", span);
         let whole = span.to(text.span);
         Encoded { kind, name, attributes, text, trivia, span: whole }
+    }
+
+    /// `HISTORY_ENTRY (User := "x", Timestamp := "...", ...) END_HISTORY_ENTRY`
+    pub(super) fn history_entry(&mut self) -> HistoryEntry {
+        let trivia = self.cursor.leading();
+        let span = self.cursor.next().map_or(Span::default(), |token| self.cursor.span(token));
+        let attributes = self.attributes_without_name();
+        let text = self.island_body("HISTORY_ENTRY", span);
+        let whole = span.to(text.span);
+        HistoryEntry { attributes, text, trivia, span: whole }
+    }
+
+    /// The attribute list of a component that has no name; it may have none.
+    fn attributes_without_name(&mut self) -> Vec<Attribute> {
+        let file = self.cursor.file;
+        self.cursor.take_head();
+        let attributes = self.cursor.checked_run().and_then(|run| {
+            if run.is_empty() {
+                return Ok(Vec::new());
+            }
+            declaration::AttributesParser::new()
+                .parse(file, run.iter().copied())
+                .map_err(|error| refusal(file, error, ErrorKind::MalformedDeclaration, "an attribute list"))
+        });
+        attributes.unwrap_or_else(|error| {
+            self.cursor.errors.push(error);
+            Vec::new()
+        })
     }
 }
 

@@ -30,15 +30,30 @@ pub struct AddOnInstruction {
     pub local_tags: Vec<Tag>,
     /// Logic, Prescan, Postscan, EnableInFalse: by their names.
     pub routines: Vec<Routine>,
-    /// What else stands in it and is skipped: the history of its signatures.
+    /// The history of its signatures, oldest first.
+    pub history: Vec<HistoryEntry>,
+    /// What else stands in it and is skipped.
     pub islands: Vec<Island>,
     /// For people.
     pub description: Option<Box<Text>>,
-    /// Everything else: dates, authors, the maker's signatures.
+    /// Everything else: dates, authors, notes of the revision, signatures.
     pub attributes: Vec<Attribute>,
     /// Comments of the source around it.
     pub trivia: Trivia,
     /// The whole declaration.
+    pub span: Span,
+}
+
+/// An entry of the signature history of an Add-On Instruction.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct HistoryEntry {
+    /// What it says: user, date and time, signature, description.
+    pub attributes: Vec<Attribute>,
+    /// What else stands in it, as it stands.
+    pub text: Text,
+    /// Comments of the source around it.
+    pub trivia: Trivia,
+    /// The whole entry.
     pub span: Span,
 }
 

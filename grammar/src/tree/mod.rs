@@ -24,7 +24,7 @@ mod tag;
 mod task;
 mod value;
 
-pub use add_on::{AddOnInstruction, Parameter, ParameterUsage};
+pub use add_on::{AddOnInstruction, HistoryEntry, Parameter, ParameterUsage};
 pub use attribute::{Attribute, AttributeValue, Class, ExternalAccess, Name, Spanned, Text};
 pub use compact_str::CompactString;
 pub use data_type::{BitPlace, DataType, Dimensions, Member};

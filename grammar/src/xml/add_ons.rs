@@ -3,7 +3,7 @@
 use super::cursor::Element;
 use super::{Reader, usage};
 use crate::components;
-use crate::tree::{Parameter, Usage};
+use crate::tree::{Attribute, AttributeValue, HistoryEntry, Name, Parameter, Text, Trivia, Usage};
 
 impl<'a> Reader<'a> {
     pub(super) fn add_on_instruction(&mut self, element: &Element<'a>, around: Usage) {
@@ -31,10 +31,38 @@ impl<'a> Reader<'a> {
                         add_on.routines.push(routine);
                     }
                 }
+                "SignatureHistory" => {
+                    while let Some(entry) = self.xml.child() {
+                        let entry = self.history_entry(&entry);
+                        add_on.history.push(entry);
+                    }
+                }
+                "RevisionNote" | "AdditionalHelpText" => {
+                    let key = Name::new(child.name, child.span);
+                    if let Some(text) = self.description() {
+                        add_on.attributes.push(Attribute { key, value: AttributeValue::Quoted(*text) });
+                    }
+                }
                 _ => self.xml.skip(),
             }
         }
         self.file.add_on_instructions.push(add_on);
+    }
+
+    fn history_entry(&mut self, element: &Element<'a>) -> HistoryEntry {
+        let mut attributes = element.attributes_without(&[]);
+        while let Some(child) = self.xml.child() {
+            match child.name {
+                "Description" => {
+                    let key = Name::new(child.name, child.span);
+                    if let Some(text) = self.description() {
+                        attributes.push(Attribute { key, value: AttributeValue::Quoted(*text) });
+                    }
+                }
+                _ => self.xml.skip(),
+            }
+        }
+        HistoryEntry { attributes, text: Text::default(), trivia: Trivia::none(), span: element.span }
     }
 
     fn parameter(&mut self, element: &Element<'a>) -> Parameter {

@@ -318,7 +318,14 @@ fn add_on() -> impl Strategy<Value = AddOnInstruction> {
             span: at(),
         },
     );
-    let lists = (vec(parameter, 0..3), vec(tag(), 0..2), vec(routine(), 0..2));
+    // What stands in an entry is kept as text: there are no comments in it.
+    let entry = attributes().prop_map(|attributes| HistoryEntry {
+        attributes,
+        text: Text::default(),
+        trivia: Trivia::none(),
+        span: at(),
+    });
+    let lists = (vec(parameter, 0..3), vec(tag(), 0..2), vec(routine(), 0..2), vec(entry, 0..3));
     (name(), class(), option::of(text()), flag(), flag(), lists, description(), attributes(), block_trivia()).prop_map(
         |(name, class, revision, prescan, in_false, lists, description, attributes, trivia)| AddOnInstruction {
             name,
@@ -332,6 +339,7 @@ fn add_on() -> impl Strategy<Value = AddOnInstruction> {
             parameters: lists.0,
             local_tags: lists.1,
             routines: lists.2,
+            history: lists.3,
             islands: Vec::new(),
             description,
             attributes,

@@ -13,9 +13,9 @@ use twinrung_commission::{Application, Card, ControllerState, Downloaded, Identi
 use twinrung_controller::protection::Action;
 
 use super::folder::Kept;
-use super::{Ended, refuse};
-use crate::input::{self, Complete, Loaded};
-use crate::{exit, failed, files};
+use super::{Ended, refuse, status};
+use crate::input::{self, Complete, Input, Loaded};
+use crate::{exit, failed, files, instructions};
 
 /// Arguments of `controller FOLDER download`.
 #[derive(Debug, Args)]
@@ -40,9 +40,12 @@ fn series(text: &str) -> Result<char, String> {
 const FIRST_SERIES: char = 'A';
 
 pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download) -> Ended {
-    let loaded = match input::image(out, &arguments.project, &arguments.complete, "; nothing was downloaded")? {
-        Ok(loaded) => loaded,
-        Err(code) => return Ok(code),
+    let (trees, loaded) = match input::open(&arguments.project, &arguments.complete).map_err(failed)? {
+        Input::Image(loaded) => (Vec::new(), *loaded),
+        Input::Project(read) => match input::image_of(out, &arguments.project, &read, "; nothing was downloaded")? {
+            Ok(loaded) => (read.trees, loaded),
+            Err(code) => return Ok(code),
+        },
     };
     if loaded.image.image().task.is_none() {
         return refuse(out, &"the project has no safety task; nothing was downloaded");
@@ -56,8 +59,12 @@ pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download)
     let made_for = identity(arguments.series.unwrap_or(kept.state.identity.series));
     let id = *loaded.image.application_signature();
     let name = loaded.image.image().controller.name.clone();
+    let instructions = instructions::listing(&trees, &loaded.image)?;
+    let safety = trees.first().and_then(|tree| tree.controller.as_ref()).and_then(|one| one.safety.as_ref());
+    let configure_always = safety.and_then(|safety| safety.configure_io_always).is_some_and(|always| always.value);
     let Loaded { bytes, .. } = loaded;
-    let project = Project { made_for, id, application: Application { name, image: bytes } };
+    let application = Application { name, image: bytes, instructions, configure_always };
+    let project = Project { made_for, id, application };
     let downloaded = match kept.state.download(project) {
         Ok(downloaded) => downloaded,
         Err(why) => return refuse(out, &why),
@@ -74,6 +81,9 @@ pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download)
             writeln!(out, "the application is to be validated again")?;
         }
         Downloaded::Unsigned => writeln!(out, "there is no safety task signature: the application is to be tested")?,
+    }
+    for one in kept.state.application.iter().flat_map(|application| &application.instructions) {
+        writeln!(out, "{}", status::instruction_line(one))?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -70,6 +70,15 @@ impl Kept {
         }
         Ok(Some((image, &application.image)))
     }
+
+    /// What executes: the application, or with a tested online edit the changed one.
+    pub(super) fn executing(&self) -> io::Result<Option<(AdmittedImage, &[u8])>> {
+        self.admitted()?;
+        let Some(bytes) = self.state.executing() else { return Ok(None) };
+        let image = admit(bytes)
+            .map_err(|error| io::Error::other(format!("what executes in the controller is refused: {error}")))?;
+        Ok(Some((image, bytes)))
+    }
 }
 
 fn open_store(folder: &Path) -> io::Result<(Store<FolderStorage>, Option<ControllerState>)> {

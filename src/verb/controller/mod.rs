@@ -1,8 +1,10 @@
 //! `twinrung controller`: a controller that is kept in a folder, to commission a project as Chapter 6 of the manual asks.
 
 mod application;
+mod edits;
 mod folder;
 mod protect;
+mod replacement;
 mod scans;
 mod status;
 
@@ -111,6 +113,11 @@ enum Do {
         /// What to do with them
         change: Change,
     },
+    /// Change rungs of safety routines online: begin, accept, test, untest, assemble, cancel
+    Edit {
+        #[command(subcommand)]
+        step: edits::Step,
+    },
     /// Inhibit the connection of a safety module
     Inhibit {
         /// The module
@@ -121,6 +128,8 @@ enum Do {
         /// The module
         module: String,
     },
+    /// Say whether a replaced module is configured, and what is to be done first
+    Replace(replacement::Replace),
     /// Store the application on a memory card
     Store {
         /// The file that is the card
@@ -134,6 +143,8 @@ enum Do {
         /// The file that is the card
         card: PathBuf,
     },
+    /// Let the diagnostics of one channel's hardware fail: a nonrecoverable controller fault, to rehearse the recovery
+    LosePartner,
     /// Show the fault log
     Faults,
     /// Clear the fault: safety memory is reinitialized from the signature
@@ -225,9 +236,12 @@ pub fn run(arguments: &Controller) -> io::Result<ExitCode> {
         Do::Force { assignment } => protect::force(&mut out, &mut kept, assignment),
         Do::Unforce { tag } => protect::unforce(&mut out, &mut kept, tag.as_deref()),
         Do::Forces { change } => protect::enable(&mut out, &mut kept, *change == Change::Enable),
+        Do::Edit { step } => edits::edit(&mut out, &mut kept, step),
         Do::Inhibit { module } => protect::inhibit(&mut out, &mut kept, module, true),
         Do::Uninhibit { module } => protect::inhibit(&mut out, &mut kept, module, false),
+        Do::Replace(replace) => replacement::replace(&mut out, &kept, replace),
         Do::Store { card, load_mode } => application::store(&mut out, &kept, card, (*load_mode).into()),
+        Do::LosePartner => protect::lose_partner(&mut out, &mut kept),
         Do::Faults => status::faults(&mut out, &kept),
         Do::Clear => protect::clear(&mut out, &mut kept),
         Do::Override => protect::override_fault(&mut out, &mut kept),

@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use twinrung_commission::Force;
 use twinrung_commission::password::PASSWORD_BYTES_MAX;
+use twinrung_commission::{Fault, Force};
+use twinrung_controller::StopReason;
 use twinrung_controller::protection::Action;
 use twinrung_workbench::connected;
 
@@ -154,6 +155,19 @@ pub(super) fn clear(out: &mut dyn Write, kept: &mut Kept) -> Ended {
     let outcome = kept.state.log.last().and_then(|entry| entry.outcome.as_deref()).unwrap_or("cleared");
     writeln!(out, "{outcome}")?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A simulation has no hardware that fails: a person says that it did.
+pub(super) fn lose_partner(out: &mut dyn Write, kept: &mut Kept) -> Ended {
+    let what = "the diagnostics of a channel failed, and the partnership is lost".to_owned();
+    kept.state.report_fault(Fault::of(StopReason::PartnershipLost, 0, what));
+    kept.keep()?;
+    writeln!(
+        out,
+        "nonrecoverable controller fault 14/9: the partnership is lost, outputs are off and the application is gone"
+    )?;
+    writeln!(out, "download the project")?;
+    Ok(ExitCode::from(exit::NONRECOVERABLE))
 }
 
 pub(super) fn override_fault(out: &mut dyn Write, kept: &mut Kept) -> Ended {

@@ -86,7 +86,7 @@ pub(super) fn turn_keyswitch(out: &mut dyn Write, kept: &mut Kept, position: Pos
 /// Lets the scans pass that a mode change takes, keeps the new mode, and says how long it took.
 fn pass(out: &mut dyn Write, kept: &mut Kept, at: Option<u64>) -> Ended {
     let mode = kept.state.mode;
-    let fault = match (kept.admitted()?, &kept.state.fault) {
+    let fault = match (kept.executing()?, &kept.state.fault) {
         (Some((image, bytes)), None) => {
             let holds = holds(&kept.state, &image)?;
             let period_us = image.image().task.as_ref().map_or(0, |task| u64::from(task.period_us));
@@ -141,7 +141,7 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
         )?;
         return Ok(code_of(fault.kind));
     }
-    let Some((image, bytes)) = kept.admitted()? else {
+    let Some((image, bytes)) = kept.executing()? else {
         return refuse(out, &"the controller holds no application: download the project");
     };
     let stimulus = match &arguments.stimulus {

@@ -6,12 +6,12 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 use twinrung_bytecode::signature::short_form;
-use twinrung_commission::{LogEntry, Permission, permissions};
+use twinrung_commission::{LogEntry, Permission, SealedInstruction, permissions};
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{Keyswitch, SafetyTaskStatus};
 
-use super::Ended;
 use super::folder::Kept;
+use super::{Ended, edits};
 
 pub(super) const fn mode_name(mode: Mode) -> &'static str {
     match mode {
@@ -45,6 +45,21 @@ fn action_name(permission: &Permission) -> String {
     }
 }
 
+/// A safety Add-On Instruction with the three values that are compared after a download.
+pub(super) fn instruction_line(one: &SealedInstruction) -> String {
+    let safety = short_form(&one.safety);
+    match (&one.instruction, &one.generated) {
+        (Some(id), Some(generated)) => {
+            format!(
+                "{}: instruction signature {}  {generated}, safety instruction signature {safety}",
+                one.name,
+                short_form(id)
+            )
+        }
+        _ => format!("{}: not sealed, safety instruction signature {safety}", one.name),
+    }
+}
+
 pub(super) fn human(out: &mut dyn Write, folder: &Path, kept: &Kept) -> Ended {
     let state = &kept.state;
     let admitted = kept.admitted()?;
@@ -72,9 +87,18 @@ pub(super) fn human(out: &mut dyn Write, folder: &Path, kept: &Kept) -> Ended {
     for (name, text) in lines {
         writeln!(out, "{name:20}{text}")?;
     }
+    for one in state.application.iter().flat_map(|application| &application.instructions) {
+        writeln!(out, "{:20}{}", "instruction", instruction_line(one))?;
+    }
     for force in &state.forces {
         let enabled = if state.forces_enabled { "" } else { " (disabled)" };
         writeln!(out, "{:20}{} = {}{enabled}", "force", force.tag, force.value)?;
+    }
+    if let Some(edit) = &state.edit {
+        writeln!(out, "{:20}{}; changes {}", "online edit", edit.stage.words(), edit.routines.join(", "))?;
+    }
+    if admitted.is_some() && edits::can_be_held_off(state) {
+        writeln!(out, "{:20}{}", "watchdog", edits::hold_off(kept)?)?;
     }
     for module in &state.inhibited {
         writeln!(out, "{:20}{module}", "inhibited")?;
@@ -118,8 +142,10 @@ struct Json<'a> {
     lock_password: bool,
     unlock_password: bool,
     signature: Option<twinrung_commission::SafetyTaskSignature>,
+    instructions: &'a [SealedInstruction],
     forces: &'a [twinrung_commission::Force],
     forces_enabled: bool,
+    online_edit: Option<&'static str>,
     inhibited: &'a [String],
     fault: &'a Option<twinrung_commission::Fault>,
     overridden: bool,
@@ -170,8 +196,10 @@ pub(super) fn json(out: &mut dyn Write, kept: &Kept) -> Ended {
         lock_password: state.passwords.lock.is_some(),
         unlock_password: state.passwords.unlock.is_some(),
         signature: state.signature,
+        instructions: state.application.as_ref().map_or(&[], |application| &application.instructions),
         forces: &state.forces,
         forces_enabled: state.forces_enabled,
+        online_edit: state.edit.as_ref().map(|edit| edit.stage.words()),
         inhibited: &state.inhibited,
         fault: &state.fault,
         overridden: state.overridden,

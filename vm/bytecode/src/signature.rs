@@ -19,8 +19,8 @@ use sha2::{Digest, Sha256};
 
 use crate::container;
 use crate::error::ImageError;
-use crate::image::{Attributes, Image, TypeKind};
-use crate::index::{ProgramIndex, RoutineIndex};
+use crate::image::{Attributes, Image, Owner, TypeKind, TypeReference};
+use crate::index::{AddOnIndex, ProgramIndex, RoutineIndex};
 use crate::layout::{self, TypeLayout};
 use crate::text;
 
@@ -233,6 +233,57 @@ pub fn application_signature(leaves: &[Leaf]) -> [u8; 32] {
         application.update(content.0.finalize());
     }
     application.finalize().into()
+}
+
+/// The safety instruction signature: what of an Add-On Instruction executes, with the instructions and types that it uses, and
+/// nothing of comments and descriptions (1756-RM093 Appendix B; the hash is decided). `None` where there is no such instruction.
+/// Initial values belong to the tags of an instruction, and the application signature covers them.
+///
+/// # Errors
+///
+/// As [`leaves`].
+pub fn safety_instruction_signature(image: &Image, add_on: AddOnIndex) -> Result<Option<[u8; 32]>, ImageError> {
+    let Some(first) = image.add_ons.get(add_on.position()) else { return Ok(None) };
+    let mut names = alloc::vec![first.name.as_str()];
+    let mut types = alloc::vec![first.instance_type];
+    let mut taken = 0_usize;
+    // The list of types grows while it is gone through; each type is taken once, and there are finitely many.
+    while let Some(index) = types.get(taken).copied() {
+        taken = taken.saturating_add(1);
+        let Some(record) = image.types.get(index.position()) else { continue };
+        names.push(record.name.as_str());
+        let own = match record.kind {
+            TypeKind::AddOn(index) => image.add_ons.get(index.position()),
+            TypeKind::Predefined | TypeKind::User => None,
+        };
+        let members = record.members.iter().map(|member| member.type_reference);
+        let parameters = own.iter().flat_map(|own| &own.parameters).map(|parameter| parameter.type_reference);
+        for used in members.chain(parameters) {
+            match used {
+                TypeReference::Structure(used) if !types.contains(&used) => types.push(used),
+                TypeReference::Structure(_) | TypeReference::Element(_) => {}
+            }
+        }
+    }
+    let mut content = Content(Sha256::new_with_prefix(b"twinrung safety instruction 1\0"));
+    content.part(&first.name);
+    // The leaves begin with the routines, in the order of their table.
+    for (position, leaf) in leaves(image)?.into_iter().enumerate() {
+        let is_used = match leaf.kind {
+            LeafKind::Routine => image.routines.get(position).is_some_and(|routine| match routine.owner {
+                Owner::AddOn(owner) => {
+                    image.add_ons.get(owner.position()).is_some_and(|one| names.contains(&one.name.as_str()))
+                }
+                Owner::Program(_) => false,
+            }),
+            LeafKind::AddOn | LeafKind::Type => names.contains(&leaf.name.as_str()),
+            _ => false,
+        };
+        if is_used {
+            content.0.update(leaf.hash);
+        }
+    }
+    Ok(Some(content.0.finalize().into()))
 }
 
 /// The image signature over an application signature and the hash of the image's bytes.

@@ -116,6 +116,12 @@ impl<A: Channel, B: Channel> Controller<A, B> {
         self.request = Some(ModeRequest::new(mode));
     }
 
+    /// The diagnostics of one channel's hardware failed: the partnership is lost, and nothing executes any more (1756-RM093
+    /// Nonrecoverable Controller Faults). A simulation has no such hardware: whoever stands around the controller says so.
+    pub fn lose_partnership(&mut self) {
+        self.stop(StopReason::PartnershipLost);
+    }
+
     /// Powers up with the mode switch in Run: the first scan prescans and executes.
     pub fn power_up_in_run(&mut self) {
         self.mode = Mode::Run;

@@ -57,6 +57,8 @@ pub enum StopReason {
     Safety(SafetyFault),
     /// A recoverable fault that no fault routine cleared (14/2).
     Recoverable(MajorFault),
+    /// A nonrecoverable controller fault: the diagnostics of a channel's hardware failed, and the partnership is lost (14/9).
+    PartnershipLost,
 }
 
 impl StopReason {
@@ -65,6 +67,7 @@ impl StopReason {
         match self {
             StopReason::Safety(fault) => fault.type_and_code(),
             StopReason::Recoverable(_) => (14, 2),
+            StopReason::PartnershipLost => (14, 9),
         }
     }
 }

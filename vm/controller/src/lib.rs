@@ -32,8 +32,10 @@ mod image_check;
 #[cfg(feature = "injection")]
 mod injection;
 mod mode;
+mod online_edit;
 pub mod protection;
 mod reciprocal;
+mod runtime_faults;
 mod self_test;
 mod time;
 mod verdict;
@@ -48,6 +50,8 @@ pub use image_check::IMAGE_CHECK_BYTES_PER_SCAN;
 #[cfg(feature = "injection")]
 pub use injection::{Shared, SharedMemory, Side};
 pub use mode::{Mode, ModeRequest};
+pub use online_edit::{Unfit, fits};
+pub use runtime_faults::{RUNTIME_FAULTS, Raised, RuntimeFault};
 pub use time::{Reference, TimeFault};
 pub use twinrung_partner::Partner;
 pub use twinrung_primary::Primary;

@@ -340,6 +340,7 @@ fn stopped(scan: u64, reason: StopReason) -> String {
     let (fault_type, code) = reason.type_and_code();
     let why = match reason {
         StopReason::Safety(fault) => format!("{fault:?}"),
+        StopReason::PartnershipLost => "the partnership is lost".to_owned(),
         StopReason::Recoverable(fault) => format!("major fault 4/{} on rung {}", fault.code, fault.place.rung),
     };
     format!("scan {scan}: fault {fault_type}/{code}, {why}")

@@ -57,6 +57,8 @@ pub enum Mechanism {
 impl Mechanism {
     const fn of(reason: StopReason) -> Mechanism {
         match reason {
+            // No campaign injects it: it is what a person says of the hardware.
+            StopReason::PartnershipLost => Mechanism::Panic,
             StopReason::Recoverable(_) => Mechanism::MajorFault,
             StopReason::Safety(fault) => match fault {
                 SafetyFault::Difference(difference) => match difference {

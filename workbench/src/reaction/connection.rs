@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use twinrung_bytecode::image::TagRecord;
 use twinrung_catalog::points::TIME_UNIT_US;
 use twinrung_catalog::reaction::{INPUT_RPI_US, NETWORK_DELAY_MULTIPLIER, TIMEOUT_MULTIPLIER};
 use twinrung_grammar::tree::{ConsumeInfo, Module};
@@ -51,6 +52,22 @@ impl Connection {
         let delay = info.and_then(|info| info.network_delay_multiplier).map(|one| one.value);
         let limit = info.and_then(|info| info.reaction_time_limit_us).map(|one| one.value);
         Connection::new(Direction::In, rpi_us, timeouts, delay, limit)
+    }
+
+    /// The connection of a consumed tag of an image.
+    pub fn of_consumed_record(tag: &TagRecord) -> Connection {
+        let number = |key: &str| {
+            let value = tag.attributes.iter().find(|(own, _)| own == key).map(|(_, value)| value.trim_matches('"'));
+            value.and_then(|text| text.parse::<u64>().ok())
+        };
+        let count = |key: &str| number(key).and_then(|value| u32::try_from(value).ok());
+        let (timeouts, delay) = (count("TimeoutMultiplier"), count("NetworkDelayMultiplier"));
+        Connection::new(Direction::In, number("RPI_us"), timeouts, delay, number("ReactionTimeLimit_us"))
+    }
+
+    /// The requested packet interval in µs.
+    pub const fn rpi_us(&self) -> u64 {
+        self.rpi_us
     }
 
     fn of_module(module: &Module, direction: Direction, kind: &str, rpi_us: Option<u64>) -> Connection {

@@ -7,6 +7,7 @@ mod dependence;
 mod failure;
 
 pub use chain::{Chain, Component, ReactionError, Settings, chains};
+pub use connection::Connection;
 pub use failure::{Element, Loop};
 
 /// µs as ms with three decimals: `40.064`.

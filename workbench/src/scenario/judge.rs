@@ -116,7 +116,7 @@ fn was(value: String) -> String {
 fn is_fault(reason: StopReason, fault_type: u16, code: u16) -> bool {
     let raised = match reason {
         StopReason::Recoverable(fault) => Some((4, fault.code)),
-        StopReason::Safety(_) => None,
+        StopReason::Safety(_) | StopReason::PartnershipLost => None,
     };
     reason.type_and_code() == (fault_type, code) || raised == Some((fault_type, code))
 }

@@ -204,6 +204,7 @@ fn unexpected_stop(image: &AdmittedImage, scenario: &Scenario, at_ms: u64, reaso
         }
         StopReason::Recoverable(fault) => format!("major fault 4/{}", fault.code),
         StopReason::Safety(other) => format!("{other:?}"),
+        StopReason::PartnershipLost => "the partnership is lost".to_owned(),
     };
     Failure {
         expectation: None,

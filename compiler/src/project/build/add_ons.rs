@@ -315,7 +315,7 @@ pub(super) fn judge_routines(shown: &tree::AddOnInstruction, findings: &mut Find
 
 /// Whether a call writes an argument for a parameter: the required ones (neutral-text-and-l5x.md C.3). Where a declaration is
 /// silent, an Input is required and an Output is not (decided).
-fn is_argument(parameter: &tree::Parameter) -> bool {
+pub(crate) fn is_argument(parameter: &tree::Parameter) -> bool {
     let silent = direction(parameter) == Usage::Input;
     direction(parameter) == Usage::InOut || parameter.required.map_or(silent, |required| required.value)
 }

@@ -11,6 +11,8 @@ mod programs;
 mod sizes;
 mod tasks;
 
+pub(crate) use add_ons::is_argument;
+
 use twinrung_catalog::{Element, PredefinedType};
 use twinrung_grammar::tree::{self, Span};
 

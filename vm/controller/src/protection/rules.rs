@@ -453,6 +453,12 @@ pub static RULES: &[Rule] = &[
     rule("P56", &[V::UntestEdits], &[C::NotTested], ["the edits are not tested", "test them", "decided"]),
     rule("P57", &[V::CancelEdits], &[C::NoEdits], ["there is no online edit", "nothing is to be done", "decided"]),
     rule(
+        "P58",
+        &[V::BeginEdit],
+        &[C::Edits],
+        ["there are online edits", "assemble or cancel them", "decided: one change at a time"],
+    ),
+    rule(
         "P60",
         &[V::EditOffline],
         &[C::Locked],

@@ -1,0 +1,66 @@
+//! Online edits of safety routines: what was changed, and how far it has come (1756-RM093 Online Editing).
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use twinrung_controller::protection::Edits;
+
+/// What the manual adds to the watchdog while the application is unlocked and without signature, in ms: for so long can a write by
+/// communication hold the safety task off (1756-RM093F p. 49).
+pub const HOLD_OFF_MS: u32 = 2;
+
+/// How far an online edit has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stage {
+    /// Changed, and not yet accepted: the controller does not have it.
+    Pending,
+    /// In the controller; the original rungs execute.
+    Accepted,
+    /// In the controller; the changed rungs execute.
+    Tested,
+}
+
+impl Stage {
+    /// As protection calls it.
+    pub const fn edits(self) -> Edits {
+        match self {
+            Stage::Pending => Edits::Pending,
+            Stage::Accepted => Edits::Accepted,
+            Stage::Tested => Edits::Tested,
+        }
+    }
+
+    /// In words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Stage::Pending => "pending: the controller does not have it yet",
+            Stage::Accepted => "accepted: the original rungs execute",
+            Stage::Tested => "tested: the changed rungs execute",
+        }
+    }
+}
+
+/// An online edit.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OnlineEdit {
+    /// How far it has come.
+    pub stage: Stage,
+    /// The routines that it changes: `Program/Routine`.
+    pub routines: Vec<String>,
+    /// The application with the changed rungs, as a sealed image.
+    #[serde(serialize_with = "write_bytes", deserialize_with = "read_bytes")]
+    pub image: Vec<u8>,
+}
+
+fn write_bytes<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
+    let digit = |nibble: u8| char::from_digit(u32::from(nibble), 16).unwrap_or('0');
+    to.serialize_str(&bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect::<String>())
+}
+
+fn read_bytes<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u8>, D::Error> {
+    let text = String::deserialize(from)?;
+    let digits: Option<Vec<u8>> = text.chars().map(|digit| digit.to_digit(16).map(|nibble| nibble as u8)).collect();
+    let digits = digits.filter(|digits| digits.len().is_multiple_of(2));
+    let digits =
+        digits.ok_or_else(|| serde::de::Error::custom("an image is written in pairs of hexadecimal digits"))?;
+    Ok(digits.chunks(2).map(|pair| pair.iter().fold(0, |byte, nibble| byte << 4 | nibble)).collect())
+}

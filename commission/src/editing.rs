@@ -1,0 +1,87 @@
+//! The life of an online edit: begin, accept, test, untest, assemble, cancel. Each step asks the table of protection first.
+
+use twinrung_controller::protection::Action;
+
+use crate::edit::{OnlineEdit, Stage};
+use crate::lifecycle::Refused;
+use crate::state::ControllerState;
+
+impl ControllerState {
+    /// Begins an online edit: `image` is the application with the changed rungs of `routines`.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn begin_edit(&mut self, routines: Vec<String>, image: Vec<u8>) -> Result<(), Refused> {
+        self.permit(Action::BeginEdit)?;
+        self.edit = Some(OnlineEdit { stage: Stage::Pending, routines, image });
+        Ok(())
+    }
+
+    /// Accepts it into the controller; the original rungs execute.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn accept_edits(&mut self) -> Result<(), Refused> {
+        self.step(Action::AcceptEdits, Stage::Accepted)
+    }
+
+    /// Lets the changed rungs execute.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn test_edits(&mut self) -> Result<(), Refused> {
+        self.step(Action::TestEdits, Stage::Tested)
+    }
+
+    /// Lets the original rungs execute again.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn untest_edits(&mut self) -> Result<(), Refused> {
+        self.step(Action::UntestEdits, Stage::Accepted)
+    }
+
+    fn step(&mut self, action: Action, to: Stage) -> Result<(), Refused> {
+        self.permit(action)?;
+        if let Some(edit) = &mut self.edit {
+            edit.stage = to;
+        }
+        Ok(())
+    }
+
+    /// Makes the changed rungs the application.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn assemble_edits(&mut self) -> Result<(), Refused> {
+        self.permit(Action::AssembleEdits)?;
+        if let (Some(edit), Some(application)) = (self.edit.take(), &mut self.application) {
+            application.image = edit.image;
+        }
+        Ok(())
+    }
+
+    /// Drops the changed rungs.
+    ///
+    /// # Errors
+    ///
+    /// As the table says.
+    pub fn cancel_edits(&mut self) -> Result<(), Refused> {
+        self.permit(Action::CancelEdits)?;
+        self.edit = None;
+        Ok(())
+    }
+
+    /// The image that executes: with a tested edit the changed one.
+    pub fn executing(&self) -> Option<&[u8]> {
+        match (&self.edit, &self.application) {
+            (Some(edit), _) if edit.stage == Stage::Tested => Some(&edit.image),
+            (_, application) => application.as_ref().map(|application| application.image.as_slice()),
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Online edits of safety routines: what may be changed, how an edit goes on, and what a scan boundary keeps.
+
+use std::fs;
+use std::path::PathBuf;
+
+use tempfile::TempDir;
+
+use crate::command::{Said, twinrung};
+use crate::support::project_path;
+
+const DECLARATIONS: &str = "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE
+  MODULE Doors (CatalogNumber := \"1734-IB8S/B\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10) END_MODULE
+  MODULE Drives (CatalogNumber := \"1734-OB8S/B\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002) END_MODULE
+  TAG
+    Scans : DINT (Class := Safety);
+    Wait : TIMER (Class := Safety) := [0,10000,0];
+    Latched : BOOL (Class := Safety);
+  END_TAG
+";
+
+/// A project with a counter of scans, a timer, a latch, and this rung.
+fn project(rung: &str) -> String {
+    format!(
+        "CONTROLLER Cell (ProcessorType := \"1756-L73S\", Major := 20, SafetyNetwork := 16#0000_0000_0001_0003)
+{DECLARATIONS}  PROGRAM Safety_Main (Class := Safety, MAIN := \"Main\")
+    ROUTINE Main
+      N: ADD(Scans,1,Scans);
+      N: XIO(Doors:I.ConnectionFaulted)TON(Wait,?,?);
+      N: XIC(Doors:I.Pt00Data)OTL(Latched);
+      N: {rung};
+    END_ROUTINE
+  END_PROGRAM
+  TASK Safety_Task (Type := PERIODIC, Class := Safety, Rate := 10, Watchdog := 10, Priority := 5)
+    Safety_Main;
+  END_TASK
+END_CONTROLLER
+"
+    )
+}
+
+const BEFORE: &str = "XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)";
+const AFTER: &str = "XIC(Doors:I.Pt00Data)XIC(Doors:I.Pt01Data)OTE(Drives:O.Pt00Data)";
+
+/// A controller in a folder with the project downloaded.
+struct Cell {
+    home: TempDir,
+}
+
+impl Cell {
+    fn new() -> Cell {
+        let cell = Cell { home: tempfile::tempdir().unwrap() };
+        cell.write("project.rll", &project(BEFORE));
+        cell.write("changed.rll", &project(AFTER));
+        cell.done(&format!("download {}", cell.path("project.rll").display()));
+        cell
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.home.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    fn ask(&self, action: &str) -> Said {
+        let folder = self.path("cell").display().to_string();
+        let arguments: Vec<&str> = ["controller", &folder].into_iter().chain(action.split_whitespace()).collect();
+        twinrung(&arguments)
+    }
+
+    fn done(&self, action: &str) -> String {
+        let said = self.ask(action);
+        assert_eq!(said.code, Some(0), "{action}: {}{}", said.out, said.err);
+        said.out
+    }
+
+    fn refused(&self, action: &str, words: &str) {
+        let said = self.ask(action);
+        assert_eq!(said.code, Some(1), "{action}: {}{}", said.out, said.err);
+        assert!(said.out.contains(words), "{action}: {}", said.out);
+    }
+
+    fn begin(&self, text: &str) -> String {
+        self.write("edit.rll", text);
+        format!("edit begin {}", self.path("edit.rll").display())
+    }
+
+    fn stage(&self) -> serde_json::Value {
+        let status: serde_json::Value = serde_json::from_str(&self.done("status --format json")).unwrap();
+        status["online_edit"].clone()
+    }
+}
+
+/// REQ-EDIT-001. From a changed rung to the program.
+#[test]
+fn edit_when_each_step_is_taken_then_the_program_is_the_changed_one() {
+    let cell = Cell::new();
+    let changed = cell.path("changed.rll").display().to_string();
+    assert!(cell.done(&format!("edit begin {changed}")).contains("changes Safety_Main/Main"));
+    cell.refused("edit test", "P54");
+    cell.refused("lock", "P33");
+    cell.done("edit accept");
+    cell.refused(&format!("edit begin {changed}"), "P58");
+    cell.refused("generate", "P24");
+    assert!(cell.done("edit test").contains("allow 2 ms more on the watchdog of 10.000 ms"));
+    cell.done("edit untest");
+    cell.done("edit test");
+    cell.done("edit assemble");
+    assert_eq!(cell.stage(), serde_json::Value::Null);
+    assert!(cell.done(&format!("compare {changed}")).contains("they are the same application"));
+}
+
+/// REQ-EDIT-001.
+#[test]
+fn edit_when_it_is_cancelled_then_the_program_is_what_it_was() {
+    let cell = Cell::new();
+    cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
+    cell.done("edit accept");
+    cell.done("edit cancel");
+    cell.refused("edit cancel", "P57");
+    let own = cell.path("project.rll").display().to_string();
+    assert!(cell.done(&format!("compare {own}")).contains("they are the same application"));
+}
+
+/// REQ-EDIT-001. 1756-RM093 Online Editing: they may exist when the application is locked, and are neither assembled nor cancelled.
+#[test]
+fn edit_when_the_controller_is_locked_or_signed_then_it_stays_as_it_is() {
+    let cell = Cell::new();
+    let begin = format!("edit begin {}", cell.path("changed.rll").display());
+    cell.done(&begin);
+    cell.done("edit accept");
+    cell.done("lock");
+    cell.refused("edit assemble", "P51");
+    cell.refused("edit cancel", "P51");
+    cell.done("unlock");
+    cell.done("edit cancel");
+    cell.done("generate --clock 2026-11-22T18:00:00Z");
+    cell.refused(&begin, "P52");
+}
+
+/// REQ-EDIT-002.
+#[test]
+fn edit_when_something_else_than_rungs_changes_then_it_is_refused_with_what_it_is() {
+    let cell = Cell::new();
+    let before = project(BEFORE);
+    let others = [
+        (before.replace("Latched : BOOL", "Latched, More : BOOL"), "tags"),
+        (before.replace("Rate := 10, Watchdog := 10", "Rate := 20, Watchdog := 10"), "task"),
+        (before.replace("RPI := 10", "RPI := 20"), "module"),
+        (before.clone(), "no rung of a safety routine differs"),
+    ];
+    for (text, words) in others {
+        cell.refused(&cell.begin(&text), words);
+    }
+    assert_eq!(cell.stage(), serde_json::Value::Null);
+}
+
+/// REQ-EDIT-002. dual-channel-inputs.md 1.2: configuration takes effect with a change from Program to Run.
+#[test]
+fn edit_when_it_changes_a_safety_application_instruction_then_it_is_refused() {
+    let sample = fs::read_to_string(project_path("samples/estop-with-contactors/project.rll")).unwrap();
+    let cell = Cell { home: tempfile::tempdir().unwrap() };
+    cell.write("sample.rll", &sample);
+    cell.done(&format!("download {}", cell.path("sample.rll").display()));
+    let changed = sample.replace(",500,", ",600,");
+    assert_ne!(changed, sample);
+    cell.refused(&cell.begin(&changed), "changes no safety application instruction");
+}
+
+/// REQ-EDIT-003. Before, while and after it is tested.
+#[test]
+fn run_when_an_edit_is_accepted_tested_and_untested_then_the_rungs_of_its_stage_execute() {
+    let cell = Cell::new();
+    cell.done("mode run");
+    cell.write("stimulus.csv", "time_ms,Doors:I.Pt00Data\n0,1\n");
+    cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
+    let outputs = ["accept", "test", "untest"].map(|step| {
+        cell.done(&format!("edit {step}"));
+        let (stimulus, out) = (cell.path("stimulus.csv"), cell.path("out.csv"));
+        let (stimulus, out) = (stimulus.display(), out.display());
+        cell.done(&format!(
+            "run --stimulus {stimulus} --record Scans,Published:Drives:O.Pt00Data --out {out} --until 20 --quiet"
+        ));
+        fs::read_to_string(cell.path("out.csv")).unwrap()
+    });
+    let original = "time_ms,Scans,Published:Drives:O.Pt00Data\n0,1,1\n10,2,1\n20,3,1\n";
+    let changed = original.replace(",1\n", ",0\n");
+    assert_eq!(outputs, [original, changed.as_str(), original]);
+}
