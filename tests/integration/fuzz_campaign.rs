@@ -67,7 +67,7 @@ fn guided_campaign_when_one_channel_has_a_defect_then_it_ends_with_the_differenc
 
 fn kept(earlier: Vec<Genome>) -> (Campaign, Vec<Genome>) {
     let mut kept = Vec::new();
-    let guided = Plan { guided: true, jobs: 1, earlier, ..plan(120) };
+    let guided = Plan { guided: true, jobs: 1, earlier, ..plan(200) };
     let campaign = guided.run::<Both>(|told| {
         if let Told::Kept(genome) = told {
             kept.push(genome.clone());

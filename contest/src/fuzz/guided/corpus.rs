@@ -45,7 +45,9 @@ impl Corpus {
                 // What has been changed most often for least has the lowest promise; newer ones are further behind.
                 let worst =
                     (0..self.kept.len()).min_by(|a, b| self.kept[*a].promise().total_cmp(&self.kept[*b].promise()));
-                worst.into_iter().for_each(|at| self.kept[at].genome.clone_from(&one.genome));
+                if let Some(worst) = worst {
+                    self.kept[worst] = one;
+                }
             }
         }
         first
