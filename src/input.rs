@@ -187,15 +187,31 @@ pub fn open(path: &Path, complete: &Complete) -> Result<Input, InputError> {
         let image = admit(&bytes).map_err(|error| InputError::Image(path.to_owned(), error))?;
         return Ok(Input::Image(Box::new(Loaded { image, bytes })));
     }
+    let read = read_changed(path, complete, |_| Ok::<(), std::convert::Infallible>(()))?;
+    match read {
+        Ok(read) => Ok(Input::Project(Box::new(read))),
+        Err(never) => match never {},
+    }
+}
+
+/// Reads a project, changes its tree, and checks what it is then; where it cannot be changed, why.
+pub fn read_changed<E>(
+    path: &Path,
+    complete: &Complete,
+    change: impl FnOnce(&mut File) -> Result<(), E>,
+) -> Result<Result<Read, E>, InputError> {
     let mut sources = Sources::new();
     let mut findings = Vec::new();
     let completion = complete.completion(&mut sources, &mut findings)?;
-    let reading = readable(&mut sources, path)?;
+    let mut reading = readable(&mut sources, path)?;
+    if let Err(why) = change(&mut reading.file) {
+        return Ok(Err(why));
+    }
     let checked = check(&reading, &completion);
     findings.extend(checked.findings);
     let project = checked.project.filter(|_| !findings.iter().any(Finding::is_error));
     let trees = std::iter::once(reading.file).chain(completion.contexts).collect();
-    Ok(Input::Project(Box::new(Read { sources, trees, findings, project })))
+    Ok(Ok(Read { sources, trees, findings, project }))
 }
 
 fn is_image(path: &Path) -> Result<bool, InputError> {

@@ -49,6 +49,9 @@ pub struct OnlineEdit {
     /// The application with the changed rungs, as a sealed image.
     #[serde(serialize_with = "write_bytes", deserialize_with = "read_bytes")]
     pub image: Vec<u8>,
+    /// An image with both versions, of which a switch chooses one: what executes once the edit is accepted.
+    #[serde(serialize_with = "write_bytes", deserialize_with = "read_bytes")]
+    pub both: Vec<u8>,
 }
 
 fn write_bytes<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {

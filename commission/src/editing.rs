@@ -7,14 +7,14 @@ use crate::lifecycle::Refused;
 use crate::state::ControllerState;
 
 impl ControllerState {
-    /// Begins an online edit: `image` is the application with the changed rungs of `routines`.
+    /// Begins an online edit: `image` is the application with the changed rungs of `routines`, `both` the one with both versions.
     ///
     /// # Errors
     ///
     /// As the table says.
-    pub fn begin_edit(&mut self, routines: Vec<String>, image: Vec<u8>) -> Result<(), Refused> {
+    pub fn begin_edit(&mut self, routines: Vec<String>, image: Vec<u8>, both: Vec<u8>) -> Result<(), Refused> {
         self.permit(Action::BeginEdit)?;
-        self.edit = Some(OnlineEdit { stage: Stage::Pending, routines, image });
+        self.edit = Some(OnlineEdit { stage: Stage::Pending, routines, image, both });
         Ok(())
     }
 
@@ -77,7 +77,13 @@ impl ControllerState {
         Ok(())
     }
 
-    /// The image that executes: with a tested edit the changed one.
+    /// The image with both versions, and whether the changed one executes, once an edit is accepted.
+    pub fn both_versions(&self) -> Option<(&[u8], bool)> {
+        let edit = self.edit.as_ref().filter(|edit| edit.stage != Stage::Pending)?;
+        Some((&edit.both, edit.stage == Stage::Tested))
+    }
+
+    /// The application that executes: with a tested edit the changed one.
     pub fn executing(&self) -> Option<&[u8]> {
         match (&self.edit, &self.application) {
             (Some(edit), _) if edit.stage == Stage::Tested => Some(&edit.image),

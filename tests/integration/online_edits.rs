@@ -188,3 +188,69 @@ fn run_when_an_edit_is_accepted_tested_and_untested_then_the_rungs_of_its_stage_
     let changed = original.replace(",1\n", ",0\n");
     assert_eq!(outputs, [original, changed.as_str(), original]);
 }
+
+/// REQ-EDIT-003. Values, timers and latches go on; the changed rung executes from the scan boundary on, and back again.
+#[test]
+fn tags_when_an_edit_is_tested_and_untested_in_a_run_then_they_go_on_and_only_the_rung_changes() {
+    let cell = Cell::new();
+    cell.done("mode run");
+    cell.write("stimulus.csv", "time_ms,Doors:I.Pt00Data\n0,1\n");
+    cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
+    cell.done("edit accept");
+    let (stimulus, out) = (cell.path("stimulus.csv"), cell.path("out.csv"));
+    let run = format!(
+        "run --stimulus {} --record Scans,Wait.ACC,Latched,Published:Drives:O.Pt00Data --out {} --until 90 --quiet",
+        stimulus.display(),
+        out.display()
+    );
+    cell.refused(&format!("{run} --untest-edits 45"), "P56");
+    cell.done(&format!("{run} --test-edits 45 --untest-edits 75"));
+    let expected = "time_ms,Scans,Wait.ACC,Latched,Published:Drives:O.Pt00Data
+0,1,0,1,1
+10,2,10,1,1
+20,3,20,1,1
+30,4,30,1,1
+40,5,40,1,1
+50,6,50,1,0
+60,7,60,1,0
+70,8,70,1,0
+80,9,80,1,1
+90,10,90,1,1
+";
+    assert_eq!(fs::read_to_string(&out).unwrap(), expected);
+    assert_eq!(cell.stage(), "accepted: the original rungs execute");
+    cell.done(&format!("{run} --test-edits 45"));
+    assert_eq!(cell.stage(), "tested: the changed rungs execute");
+}
+
+/// REQ-EDIT-003. A sample with safety application instructions: while the changed rungs do the same as the original ones, the
+/// recording with a change in its middle is the one without.
+#[test]
+fn sample_when_an_edit_that_changes_nothing_is_tested_then_its_recording_is_the_same() {
+    let folder = project_path("samples/two-hand-press");
+    let sample = fs::read_to_string(folder.join("project.rll")).unwrap();
+    let rung = sample.lines().find(|line| line.trim_start().starts_with("N: XIC(") && line.contains("OTE(")).unwrap();
+    let same = rung.replacen("N: XIC(", "N: XIO(Always_Off_Here)XIC(", 1);
+    let declared = |text: &str| text.replacen("  TAG\n", "  TAG\n    Always_Off_Here : BOOL (Class := Safety);\n", 1);
+    let (before, changed) = (declared(&sample), declared(&sample).replacen(rung, &same, 1));
+    let cell = Cell { home: tempfile::tempdir().unwrap() };
+    cell.write("sample.rll", &before);
+    cell.done(&format!("download {}", cell.path("sample.rll").display()));
+    cell.done("mode run");
+    let names = fs::read_to_string(folder.join("record.txt")).unwrap();
+    let names: Vec<&str> = names.lines().filter(|line| !line.is_empty() && !line.starts_with('#')).collect();
+    let record = |more: &str| {
+        let out = cell.path("out.csv");
+        let (stimulus, names) = (folder.join("stimulus.csv"), names.join(","));
+        cell.done(&format!(
+            "run --stimulus {} --record {names} --out {} --quiet{more}",
+            stimulus.display(),
+            out.display()
+        ));
+        fs::read_to_string(out).unwrap()
+    };
+    let plain = record("");
+    cell.done(&cell.begin(&changed));
+    cell.done("edit accept");
+    assert_eq!(record(" --test-edits 2000 --untest-edits 4000"), plain);
+}

@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bench;
+pub mod both_versions;
 pub mod checklist;
 pub mod connected;
 pub mod coverage;

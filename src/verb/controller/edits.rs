@@ -10,26 +10,28 @@ use twinrung_commission::ControllerState;
 use twinrung_commission::edit::HOLD_OFF_MS;
 use twinrung_controller::fits;
 use twinrung_controller::protection::Action;
+use twinrung_grammar::tree::File;
+use twinrung_workbench::both_versions::put_side_by_side;
 use twinrung_workbench::online_edit::changed_safety_call;
 use twinrung_workbench::reaction::milliseconds;
 
 use super::folder::Kept;
 use super::{Ended, refuse};
-use crate::exit;
-use crate::input::{self, Complete};
+use crate::input::{self, Complete, Input};
+use crate::{exit, failed};
 
 /// A step of an online edit.
 #[derive(Debug, Subcommand)]
 #[command(after_help = "From a changed rung to the program:\n  \
 twinrung controller cell edit begin changed.rll\n  twinrung controller cell edit accept\n  \
-twinrung controller cell edit test\n  twinrung controller cell run --stimulus tests.csv\n  twinrung controller cell edit assemble\n\
+twinrung controller cell run --stimulus tests.csv --test-edits 500\n  twinrung controller cell edit assemble\n\
 \n\
 Only rungs of safety routines change: no tag, type, module, task or Add-On Instruction, and no call of a safety application\n\
 instruction, whose configuration takes effect with a change from Program to Run.")]
 pub(super) enum Step {
     /// Take the changed rungs of a project; the controller does not have them yet
     Begin {
-        /// The project with the changed rungs: .rll, .L5K, .L5X, a folder, or an image
+        /// The project with the changed rungs: .rll, .L5K, .L5X, or a folder
         project: PathBuf,
         #[command(flatten)]
         complete: Complete,
@@ -74,7 +76,11 @@ fn begin(out: &mut dyn Write, kept: &mut Kept, project: &Path, complete: &Comple
     if let Err(why) = kept.state.permit(Action::BeginEdit) {
         return refuse(out, &why);
     }
-    let loaded = match input::image(out, project, complete, "; no edit was begun")? {
+    let read = match input::open(project, complete).map_err(failed)? {
+        Input::Project(read) => read,
+        Input::Image(_) => return refuse(out, &"an image has no text that could stand beside the original rungs"),
+    };
+    let loaded = match input::image_of(out, project, &read, "; no edit was begun")? {
         Ok(loaded) => loaded,
         Err(code) => return Ok(code),
     };
@@ -101,11 +107,26 @@ fn begin(out: &mut dyn Write, kept: &mut Kept, project: &Path, complete: &Comple
             ),
         );
     }
+    let (before, after) = (own.image(), loaded.image.image());
+    let side_by_side = |tree: &mut File| put_side_by_side(tree, before, after, &routines);
+    let both = match input::read_changed(project, complete, side_by_side).map_err(failed)? {
+        Ok(both) => both,
+        Err(why) => return refuse(out, &format!("{why}\n  way out: download the project")),
+    };
+    let both = match input::image_of(
+        out,
+        project,
+        &both,
+        " with the original rungs beside the changed ones; no edit was begun",
+    )? {
+        Ok(both) => both.bytes,
+        Err(code) => return Ok(code),
+    };
     let id = short_form(loaded.image.application_signature());
     for routine in &routines {
         writeln!(out, "changes {routine}")?;
     }
-    if let Err(why) = kept.state.begin_edit(routines, loaded.bytes) {
+    if let Err(why) = kept.state.begin_edit(routines, loaded.bytes, both) {
         return refuse(out, &why);
     }
     kept.keep()?;

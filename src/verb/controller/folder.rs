@@ -71,6 +71,14 @@ impl Kept {
         Ok(Some((image, &application.image)))
     }
 
+    /// The image with both versions of an accepted online edit, and whether the changed one executes.
+    pub(super) fn both_versions(&self) -> io::Result<Option<(AdmittedImage, &[u8], bool)>> {
+        let Some((bytes, tested)) = self.state.both_versions() else { return Ok(None) };
+        let image = admit(bytes)
+            .map_err(|error| io::Error::other(format!("the online edit in the controller is refused: {error}")))?;
+        Ok(Some((image, bytes, tested)))
+    }
+
     /// What executes: the application, or with a tested online edit the changed one.
     pub(super) fn executing(&self) -> io::Result<Option<(AdmittedImage, &[u8])>> {
         self.admitted()?;

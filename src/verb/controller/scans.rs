@@ -6,16 +6,19 @@ use std::process::ExitCode;
 
 use clap::Args;
 use twinrung_bytecode::AdmittedImage;
-use twinrung_commission::{ControllerState, Fault, FaultKind};
+use twinrung_commission::{ControllerState, Fault, FaultKind, Refused};
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{Action, Keyswitch};
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::Run as Session;
+use twinrung_workbench::Stimulus;
+use twinrung_workbench::both_versions::SWITCH;
 use twinrung_workbench::connected;
 use twinrung_workbench::hold::Hold;
 use twinrung_workbench::reaction::milliseconds;
 use twinrung_workbench::run::default_names;
+use twinrung_workbench::stimulus::StimulusRow;
 use twinrung_workbench::transition::{Transition, transition};
 
 use super::folder::Kept;
@@ -38,6 +41,12 @@ pub(super) struct Run {
     /// What to record: names, or @FILE with one name on each line
     #[arg(long, value_name = "TAG,TAG|@LIST")]
     record: Option<String>,
+    /// Test the accepted online edit from the first scan at or after this time on, in ms; it stays tested
+    #[arg(long, value_name = "MS")]
+    test_edits: Option<u64>,
+    /// Untest it from the first scan at or after this time on, in ms
+    #[arg(long, value_name = "MS")]
+    untest_edits: Option<u64>,
     #[command(flatten)]
     playing: Playing,
 }
@@ -129,6 +138,39 @@ fn code_of(kind: FaultKind) -> ExitCode {
     }
 }
 
+/// When the switch of an online edit is turned, in ms, and where to; `state` is then as it is after that.
+fn turns(state: &mut ControllerState, arguments: &Run) -> Result<Vec<(u64, bool)>, Refused> {
+    let mut turns: Vec<(u64, bool)> = Vec::new();
+    turns.extend(arguments.test_edits.map(|at_ms| (at_ms, true)));
+    turns.extend(arguments.untest_edits.map(|at_ms| (at_ms, false)));
+    turns.sort_by_key(|(at_ms, _)| *at_ms);
+    for (_, test) in &turns {
+        if *test { state.test_edits()? } else { state.untest_edits()? }
+    }
+    Ok(turns)
+}
+
+/// A stimulus with the switch of an online edit as its last column.
+fn switched(stimulus: Option<Stimulus>, tested: bool, turns: &[(u64, bool)]) -> io::Result<Stimulus> {
+    let Stimulus { mut tags, mut rows } = stimulus.unwrap_or_else(|| Stimulus { tags: Vec::new(), rows: Vec::new() });
+    if tags.iter().any(|tag| tag.eq_ignore_ascii_case(SWITCH)) {
+        return Err(io::Error::other(format!("{SWITCH} is turned by edit test and --test-edits, not by a stimulus")));
+    }
+    rows.iter_mut().for_each(|row| row.cells.push(None));
+    let column = tags.len();
+    tags.push(SWITCH.to_owned());
+    for (time_ms, value) in [(0, tested)].iter().chain(turns) {
+        let at = rows.partition_point(|row| row.time_ms < *time_ms);
+        if rows.get(at).is_none_or(|row| row.time_ms != *time_ms) {
+            rows.insert(at, StimulusRow { line: 0, time_ms: *time_ms, cells: vec![None; column + 1] });
+        }
+        if let Some(cell) = rows.get_mut(at).and_then(|row| row.cells.get_mut(column)) {
+            *cell = Some(u8::from(*value).to_string());
+        }
+    }
+    Ok(Stimulus { tags, rows })
+}
+
 pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ended {
     if let Some(fault) = &kept.state.fault {
         writeln!(
@@ -141,7 +183,15 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
         )?;
         return Ok(code_of(fault.kind));
     }
-    let Some((image, bytes)) = kept.executing()? else {
+    let before = kept.state.clone();
+    let turns = match turns(&mut kept.state, arguments) {
+        Ok(turns) => turns,
+        Err(why) => return refuse(out, &why),
+    };
+    let after = std::mem::replace(&mut kept.state, before);
+    let both = kept.both_versions()?;
+    let Some((image, bytes)) = both.as_ref().map(|(image, bytes, _)| (image.clone(), *bytes)).or(kept.executing()?)
+    else {
         return refuse(out, &"the controller holds no application: download the project");
     };
     let stimulus = match &arguments.stimulus {
@@ -155,6 +205,10 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
         writeln!(out, "the stimulus drives {tag}, which is safety data and no input")?;
         return refuse(out, &why);
     }
+    let stimulus = match &both {
+        Some((_, _, tested)) => Some(switched(stimulus, *tested, &turns)?),
+        None => stimulus,
+    };
     let names = match &arguments.record {
         Some(list) => listed(list)?,
         None => default_names(&image, stimulus.as_ref(), DIAGRAM_ROWS),
@@ -164,6 +218,10 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
     holds.into_iter().for_each(|hold| session.hold(hold));
     let heading = format!("{} mode, one scan every {} ms", mode_name(kept.state.mode), session.period_ms());
     let played = arguments.playing.play(&mut session, stimulus.as_ref(), &names)?;
+    if after.edit != kept.state.edit {
+        kept.state = after;
+        kept.keep()?;
+    }
     if let Some((at_ms, reason)) = played.stopped() {
         let what = explained(session.controller().image(), reason);
         kept.state.report_fault(Fault::of(reason, at_ms, what));

@@ -11,12 +11,11 @@ use twinrung_commission::SealedInstruction;
 use crate::input::{self, Complete, Input, Read};
 use crate::{exit, failed, instructions};
 
+/// A project with its listing, or the exit code where it is refused.
+pub(super) type Listed = Result<(Box<Read>, Vec<SealedInstruction>), ExitCode>;
+
 /// The project, and what is listed of it; where it is refused, the exit code.
-pub(super) fn listed(
-    out: &mut dyn Write,
-    file: &Path,
-    complete: &Complete,
-) -> io::Result<Result<(Box<Read>, Vec<SealedInstruction>), ExitCode>> {
+pub(super) fn listed(out: &mut dyn Write, file: &Path, complete: &Complete) -> io::Result<Listed> {
     let read = match input::open(file, complete).map_err(failed)? {
         Input::Project(read) => read,
         Input::Image(_) => {
