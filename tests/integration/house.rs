@@ -59,6 +59,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         &["twinrung-compiler", "twinrung-grammar", "twinrung-catalog", "twinrung-bytecode", "twinrung-safety-partner"],
         &[],
     ),
+    ("twinrung-mutants", &[], &[]),
     ("twinrung-sarif", &[], &[]),
     (
         "twinrung-trio",

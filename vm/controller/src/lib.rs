@@ -25,9 +25,13 @@ extern crate alloc;
 
 mod clock;
 mod compare;
+#[cfg(test)]
+mod comparisons;
 mod controller;
 mod fault;
 mod half;
+#[cfg(test)]
+mod holding;
 mod image_check;
 #[cfg(feature = "injection")]
 mod injection;

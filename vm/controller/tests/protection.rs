@@ -201,3 +201,28 @@ fn table_8_when_read_row_by_row_then_forces_edits_memory_and_signature_are_as_it
         assert_eq!(asked.map(|action| judge(state, action).is_ok()), expected, "{state:?}");
     }
 }
+
+/// REQ-MODE-002. Words by which somebody tells one from another.
+#[test]
+fn names_when_listed_then_each_action_and_each_condition_has_its_own() {
+    let actions: BTreeSet<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
+    assert_eq!(actions.len(), Verb::ALL.len());
+    let conditions: Vec<_> = RULES.iter().flat_map(|rule| rule.when).collect();
+    let mut named: Vec<(&str, String)> = conditions.iter().map(|one| (one.words(), format!("{one:?}"))).collect();
+    named.sort();
+    named.dedup();
+    let words: BTreeSet<&str> = named.iter().map(|(words, _)| *words).collect();
+    assert_eq!(words.len(), named.len(), "{named:?}");
+    assert!(words.iter().all(|words| words.len() > 3), "{words:?}");
+}
+
+/// REQ-MODE-003. The last column of Table 8.
+#[test]
+fn integrity_when_read_row_by_row_then_it_is_what_table_8_says() {
+    let of = |mode, locked, signed| State::online(mode, locked, signed).integrity();
+    let flags = [(false, false), (true, false), (false, true), (true, true)];
+    let in_run = flags.map(|(locked, signed)| of(Mode::Run, locked, signed));
+    let signed = "PLe/Cat. 4, control reliable, SIL 3";
+    assert_eq!(in_run, ["development only", "PLd/Cat. 3, control reliable, SIL 2", signed, signed]);
+    assert!(flags.iter().all(|(locked, signed)| of(Mode::Program, *locked, *signed).starts_with("nothing")));
+}

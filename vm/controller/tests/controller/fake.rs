@@ -24,6 +24,8 @@ pub const DIFFERS_IN_PATH: i32 = 7;
 pub const EXCEEDS_BUDGET_ON_ANOTHER_PATH: i32 = 8;
 pub const EXECUTES_NOTHING: i32 = 9;
 pub const LOSES_A_CELL: i32 = 10;
+pub const FIRST_STOPS: i32 = 11;
+pub const SECOND_STOPS: i32 = 12;
 
 /// Copies its input to its output; from its third scan on it behaves as it was told.
 pub struct Fake<const SECOND: bool> {
@@ -33,11 +35,17 @@ pub struct Fake<const SECOND: bool> {
     scans: u64,
     pub prescans: u64,
     record: [i32; 11],
+    /// Time and budget of the last scan.
+    pub told: (i64, u64),
+    /// The values of system attributes of the last scan.
+    pub system_values: Vec<i32>,
 }
 
 pub const INPUT: BitCell = BitCell(0);
 pub const OUTPUT: BitCell = BitCell(1);
 pub const COUNT: WordCell = WordCell(1);
+/// The cell of the tag that tells the behaviour, which nothing reads after loading.
+pub const BEHAVIOUR: WordCell = WordCell(0);
 
 impl<const SECOND: bool> Fake<SECOND> {
     const MASK: u32 = if SECOND { u32::MAX } else { 0 };
@@ -60,6 +68,8 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
             scans: 0,
             prescans: 0,
             record: [0; 11],
+            told: (0, 0),
+            system_values: Vec::new(),
         })
     }
 
@@ -70,7 +80,13 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
         ScanEnd::Completed
     }
 
-    fn scan<O: Observer>(&mut self, _inputs: ScanInputs<'_>, _observer: &mut O) -> ScanEnd {
+    fn has_stopped(&self) -> bool {
+        self.scans >= 3 && self.behaviour == if SECOND { SECOND_STOPS } else { FIRST_STOPS }
+    }
+
+    fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, _observer: &mut O) -> ScanEnd {
+        self.told = (inputs.now_ms, inputs.budget);
+        self.system_values = inputs.system_values.to_vec();
         if self.behaviour == EXECUTES_NOTHING && self.scans == 2 {
             return ScanEnd::Completed;
         }
@@ -116,7 +132,7 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
     }
 
     fn events(&self, _task: EventTaskIndex) -> u32 {
-        0
+        self.scans as u32
     }
 
     fn fault_record(&self, _program: ProgramIndex) -> Option<[i32; 11]> {
@@ -143,8 +159,9 @@ fn tag(name: &str, element: Element, kind: TagKind, bit_cell: u32, word_cell: u3
     }
 }
 
-pub fn sealed(behaviour: i32) -> Vec<u8> {
-    let image = Image {
+/// An image of one program with one rung.
+pub fn image(behaviour: i32) -> Image {
+    Image {
         controller: ControllerRecord {
             name: "Fake".into(),
             processor: "1756-L73S".into(),
@@ -180,14 +197,22 @@ pub fn sealed(behaviour: i32) -> Vec<u8> {
         initial_bits: vec![0; 2],
         initial_words: vec![behaviour, 0],
         ..Image::default()
-    };
-    seal(&image).unwrap()
+    }
+}
+
+pub fn sealed(behaviour: i32) -> Vec<u8> {
+    seal(&image(behaviour)).unwrap()
 }
 
 pub type Pair = Controller<Fake<false>, Fake<true>>;
 
 pub fn running(behaviour: i32) -> Pair {
-    let bytes = sealed(behaviour);
+    running_image(&image(behaviour))
+}
+
+/// A controller that runs an image, with its input driven true.
+pub fn running_image(image: &Image) -> Pair {
+    let bytes = seal(image).unwrap();
     let mut controller = Pair::load(admit(&bytes).unwrap(), &bytes).unwrap();
     controller.power_up_in_run();
     controller.drive_bit(INPUT, true);

@@ -3,7 +3,7 @@
 use twinrung_bytecode::index::ProgramIndex;
 use twinrung_bytecode::observer::Silent;
 use twinrung_controller::{
-    Difference, IMAGE_CHECK_BYTES_PER_SCAN, Mode, NoClock, Part, SafetyFault, ScanClock, StopReason,
+    Difference, IMAGE_CHECK_BYTES_PER_SCAN, Mode, NoClock, Part, SafetyFault, ScanClock, StopReason, TimeFault,
 };
 
 use crate::fake::*;
@@ -90,6 +90,49 @@ fn scan_when_the_comparisons_have_tried_every_bit_on_themselves_then_the_task_st
 #[test]
 fn scan_when_both_channels_execute_nothing_then_outputs_are_off_in_that_scan() {
     assert_eq!(stopped_in_third_scan(EXECUTES_NOTHING), Some(StopReason::Safety(SafetyFault::NothingExecuted)));
+}
+
+/// REQ-SCAN-030
+#[test]
+fn scan_when_a_channel_has_stopped_then_the_task_stops_with_14_4_and_outputs_are_off() {
+    let reason = Some(StopReason::Safety(SafetyFault::ChannelStopped));
+    assert_eq!([FIRST_STOPS, SECOND_STOPS].map(stopped_in_third_scan), [reason; 2]);
+    assert_eq!(SafetyFault::ChannelStopped.type_and_code(), (14, 4));
+}
+
+/// REQ-SCAN-004, REQ-SCAN-030
+#[test]
+fn scan_when_a_channel_gives_no_answer_until_the_watchdog_expired_then_it_is_the_watchdog() {
+    let mut controller = running(SECOND_STOPS);
+    let mut clock = Late { expires_in: 3, parts: Vec::new() };
+    let reports = [0, 10, 20].map(|at| controller.scan_observed(at, &mut clock, &mut Silent, &mut Silent).stopped);
+    assert_eq!(reports, [None, None, Some(StopReason::Safety(SafetyFault::WatchdogExpired))]);
+}
+
+/// REQ-SCAN-003, REQ-SCAN-004
+#[test]
+fn scan_when_channels_differ_and_the_watchdog_expires_then_it_is_the_difference() {
+    let mut controller = running(DIFFERS_IN_STATUS);
+    let mut clock = Late { expires_in: 3, parts: Vec::new() };
+    let reports = [0, 10, 20].map(|at| controller.scan_observed(at, &mut clock, &mut Silent, &mut Silent).stopped);
+    assert_eq!(reports, [None, None, Some(StopReason::Safety(SafetyFault::Difference(Difference::Status)))]);
+}
+
+/// REQ-SCAN-003, REQ-SCAN-015, REQ-SCAN-017
+#[test]
+fn faults_when_their_numbers_are_asked_for_then_all_but_watchdog_and_stopped_channel_are_14_7() {
+    let others = [
+        SafetyFault::Difference(Difference::Size),
+        SafetyFault::ImageCorrupted,
+        SafetyFault::SecondComparison,
+        SafetyFault::NothingExecuted,
+        SafetyFault::VerdictIncomplete,
+        SafetyFault::OutputsDiffer,
+        SafetyFault::ControllerCorrupted,
+        SafetyFault::Time(TimeFault::Fast),
+    ];
+    assert_eq!(others.map(|fault| StopReason::Safety(fault).type_and_code()), [(14, 7); 8]);
+    assert_eq!(SafetyFault::WatchdogExpired.type_and_code(), (14, 1));
 }
 
 /// REQ-SCAN-005
