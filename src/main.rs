@@ -63,6 +63,9 @@ enum Verb {
     /// Inject faults into a running project and say what found them
     #[cfg(feature = "injection")]
     Inject(verb::inject::Inject),
+    /// Add up what was measured of a release, hold it against its floors, and write the page
+    #[cfg(feature = "injection")]
+    Evidence(verb::evidence::Evidence),
     /// Show an image: signatures, sections, layout, neutral text
     Show(verb::show::Show),
     /// Say what differs between two projects or images
@@ -88,6 +91,8 @@ fn main() -> ExitCode {
         Verb::Reaction(arguments) => verb::reaction::run(&arguments),
         #[cfg(feature = "injection")]
         Verb::Inject(arguments) => verb::inject::run(&arguments),
+        #[cfg(feature = "injection")]
+        Verb::Evidence(arguments) => verb::evidence::run(&arguments),
         Verb::Show(arguments) => verb::show::run(&arguments),
         Verb::Diff(arguments) => verb::diff::run(&arguments),
         Verb::Fmt(arguments) => verb::fmt::run(&arguments),

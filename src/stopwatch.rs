@@ -32,11 +32,24 @@ impl Stopwatch {
             cores: std::thread::available_parallelism().ok().map(usize::from),
             system: Some(format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
             begun: self.begun.round(Unit::Second).ok().map(|begun| begun.to_string()),
+            command: Some(command()),
             jobs,
             seconds: self.elapsed.elapsed().as_secs_f64(),
             processor_seconds: used.map(|used| used.as_secs_f64()),
         }
     }
+}
+
+/// The command as it was given, so that it can be given again.
+fn command() -> String {
+    let quoted = |word: std::ffi::OsString| {
+        let word = word.to_string_lossy().into_owned();
+        let is_plain = |one: char| one.is_ascii_alphanumeric() || "-_./,:=@%+".contains(one);
+        if word.chars().all(is_plain) && !word.is_empty() { word } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    };
+    let words: Vec<String> =
+        std::iter::once("twinrung".to_owned()).chain(std::env::args_os().skip(1).map(quoted)).collect();
+    words.join(" ")
 }
 
 /// Where the system says it in a file.

@@ -2,11 +2,11 @@
 
 use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -14,12 +14,15 @@ use twinrung_bytecode::signature::short_form;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
 use twinrung_workbench::Stimulus;
-use twinrung_workbench::inject::{Campaign, Class, Fault, Group, Outcome, Plan, Report, Subject, is_injecting, random};
+use twinrung_workbench::inject::{
+    Campaign, Class, Fault, Group, Outcome, Plan, Recorded, Report, SCHEMA, Subject, is_injecting, page, random,
+};
 
 use crate::format::{Format, write_json};
 use crate::input::{self, Complete};
+use crate::stopwatch::Stopwatch;
 use crate::terminal::{self, tell};
-use crate::{exit, failed};
+use crate::{exit, failed, files};
 
 /// Arguments of `inject`.
 #[derive(Debug, Args)]
@@ -65,6 +68,12 @@ pub struct Inject {
     /// Inject one fault again, as a report names it
     #[arg(long, value_name = "FAULT", conflicts_with_all = ["injections", "jobs", "group", "only"])]
     replay: Option<Fault>,
+    /// Also write a page
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["replay", "list"])]
+    html: Option<PathBuf>,
+    /// Also write the report as JSON, with what is needed to make it again, for `twinrung evidence`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["replay", "list"])]
+    report: Option<PathBuf>,
     /// List the classes of faults
     #[arg(long)]
     list: bool,
@@ -109,6 +118,7 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
         Some(stimulus) => (stimulus.last_ms() / period_ms + SCANS_AFTER_STIMULUS).clamp(2, SCANS_MAX) as u32,
         None => RANDOM_SCANS,
     });
+    let driven_by = arguments.driven_by(given.is_some());
     let stimulus: Stimulus = given.unwrap_or_else(|| random(&loaded.image, scans, arguments.seed));
     let outputs = &arguments.complete.outputs;
     let subject: Subject<Primary, Partner> =
@@ -124,6 +134,7 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
         return replay(&mut out, &subject, fault, arguments.follow);
     }
     let cores = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let jobs = arguments.jobs.map_or(cores, |jobs| jobs as usize);
     let groups = arguments.group.iter().map(|kind| match kind {
         Kind::Channel => Group::Channel,
         Kind::Shared => Group::Shared,
@@ -133,7 +144,7 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
         injections: arguments.injections,
         seed: arguments.seed,
         follow: arguments.follow,
-        jobs: arguments.jobs.map_or(cores, |jobs| jobs as usize),
+        jobs,
         groups: groups.collect(),
         only: arguments.only.clone(),
     };
@@ -141,11 +152,29 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
     if campaign.is_empty() {
         return Err(io::Error::other("there is nothing to inject: --list shows the classes of faults"));
     }
-    let begun = Instant::now();
+    let stopwatch = Stopwatch::start();
     let report = with_bar(&campaign);
+    let provenance = stopwatch.provenance(jobs);
+    let signature = short_form(loaded.image.application_signature());
+    let recorded = Recorded {
+        schema: SCHEMA,
+        project: file.display().to_string(),
+        signature: signature.to_string(),
+        stimulus: driven_by,
+        injections: arguments.injections,
+        replay: arguments.again(file),
+        provenance,
+        report,
+    };
+    if let Some(path) = &arguments.html {
+        files::write_whole(path, page(&recorded).as_bytes())?;
+    }
+    if let Some(path) = &arguments.report {
+        files::write_whole(path, &serde_json::to_vec_pretty(&recorded)?)?;
+    }
+    let report = &recorded.report;
     match arguments.format {
         Format::Human => {
-            let signature = short_form(loaded.image.application_signature());
             writeln!(
                 out,
                 "{}: safety application {signature}, {} scans, seed {}\n",
@@ -154,12 +183,31 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
                 report.seed
             )?;
             write!(out, "{report}")?;
-            let seconds = begun.elapsed().as_secs_f64();
-            tell(format_args!("{} injections in {seconds:.1} s", report.injected()));
+            tell(format_args!("{} injections in {:.1} s", report.injected(), recorded.provenance.seconds));
         }
-        Format::Json => write_json(&mut out, &report)?,
+        Format::Json => write_json(&mut out, &recorded)?,
     }
     Ok(if report.let_out() == 0 { ExitCode::SUCCESS } else { ExitCode::from(exit::REFUSED) })
+}
+
+impl Inject {
+    /// What drives the inputs, in words.
+    fn driven_by(&self, is_given: bool) -> String {
+        match &self.stimulus {
+            Some(path) => path.display().to_string(),
+            None if is_given => "its stimulus.csv".to_owned(),
+            None => format!("random inputs, seed {}", self.seed),
+        }
+    }
+
+    /// The command that injects one fault again, without the fault.
+    fn again(&self, file: &Path) -> String {
+        let mut words = vec![format!("twinrung inject {}", file.display())];
+        words.extend(self.stimulus.iter().map(|path| format!("--stimulus {}", path.display())));
+        words.extend(self.scans.iter().map(|scans| format!("--scans {scans}")));
+        words.push(format!("--seed {} --follow {} --replay", self.seed, self.follow));
+        words.join(" ")
+    }
 }
 
 fn with_bar(campaign: &Campaign<'_, Primary, Partner>) -> Report {

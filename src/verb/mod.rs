@@ -6,6 +6,8 @@ pub mod check;
 pub mod checklist;
 pub mod controller;
 pub mod diff;
+#[cfg(feature = "injection")]
+pub mod evidence;
 pub mod explain;
 pub mod fmt;
 pub mod fuzz;

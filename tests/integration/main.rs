@@ -11,6 +11,8 @@ mod command;
 mod controller;
 mod corpus;
 mod defects;
+#[cfg(feature = "injection")]
+mod evidence;
 mod faults;
 mod freestanding;
 mod fuzz;

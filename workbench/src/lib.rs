@@ -14,8 +14,11 @@ pub mod coverage;
 pub mod diagram;
 pub mod difference;
 pub mod drive;
+#[cfg(feature = "injection")]
+pub mod evidence;
 pub mod fuzz;
 pub mod hold;
+pub mod html;
 #[cfg(feature = "injection")]
 pub mod inject;
 pub mod instruction_rungs;

@@ -25,6 +25,9 @@ pub struct Provenance {
     /// When it began, in UTC (RFC 3339).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub begun: Option<String>,
+    /// The command that was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub command: Option<String>,
     /// Threads that it ran on.
     pub jobs: usize,
     /// Seconds from its begin to its end.

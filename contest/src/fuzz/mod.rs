@@ -21,7 +21,7 @@ pub use campaign::Campaign;
 pub use case::{Case, CaseError};
 pub use cases::{Failure, Found, Ran, ran, size_of};
 pub use contest::{Contest, Ended, Evaluators};
-pub use coverage::{Bits, Coverage, Point, Universe};
+pub use coverage::{Bits, Coverage, Point, Universe, What, reason as unreachable};
 pub use executions::Executions;
 pub use plan::{Plan, Told};
 pub use replay::{Counts, Outcome, is_replaying, replay};

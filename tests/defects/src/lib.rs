@@ -24,6 +24,6 @@ mod page;
 mod tree;
 
 pub use list::{Channel, Defect, ListError, Misfit, read};
-pub use measure::{Bench, MeasureError, Measured};
+pub use measure::{Bench, Conditions, MeasureError, Measured};
 pub use page::{Times, page};
 pub use tree::{Applied, ScratchTree};

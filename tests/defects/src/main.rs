@@ -89,14 +89,17 @@ fn run(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         drop(applied);
         let name = &defect.name;
         let said = match &measured {
-            Ok(Measured { found: true, seconds, cases }) => format!("{seconds:.1} s, {cases} programs"),
-            Ok(Measured { found: false, seconds, cases }) => format!("NOT FOUND in {seconds:.0} s, {cases} programs"),
+            Ok((Measured { found: true, seconds, cases }, _)) => format!("{seconds:.1} s, {cases} programs"),
+            Ok((Measured { found: false, seconds, cases }, _)) => {
+                format!("NOT FOUND in {seconds:.0} s, {cases} programs")
+            }
             Err(error) => error.to_string(),
         };
         println!("{:>3}/{} {name}: {said}", number + 1, asked.len());
         match measured {
-            Ok(measured) => {
+            Ok((measured, conditions)) => {
                 missed += usize::from(!measured.found);
+                times.measured_under(plain, conditions);
                 times.of(plain).insert(name.clone(), measured);
             }
             Err(_) => broken += 1,

@@ -39,6 +39,26 @@ pub struct Measured {
     pub cases: u64,
 }
 
+/// Under what a time was taken.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Conditions {
+    /// Threads.
+    pub jobs: u32,
+    /// Seconds after which a defect counts as missed.
+    pub limit_s: u32,
+    /// The first seed.
+    pub seed: u64,
+    /// The release that was measured.
+    pub version: String,
+    /// The compiler that built it.
+    pub rustc: String,
+    /// The processor.
+    pub processor: String,
+    /// Processors that the machine offers.
+    pub cores: usize,
+}
+
 /// Why nothing could be measured.
 #[derive(Debug)]
 pub enum MeasureError {
@@ -79,6 +99,17 @@ struct Report {
     seconds: f64,
     programs: u64,
     differences: Vec<Difference>,
+    runs: Vec<Build>,
+}
+
+/// What the report says of the build and the machine; empty where they were not to be found out.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Build {
+    version: String,
+    rustc: String,
+    processor: String,
+    cores: usize,
 }
 
 #[derive(Deserialize)]
@@ -120,7 +151,7 @@ impl Bench {
     /// # Errors
     ///
     /// It cannot be run, or ends otherwise than with its verdict, or found something that is not the defect.
-    pub fn run(&self) -> Result<Measured, MeasureError> {
+    pub fn run(&self) -> Result<(Measured, Conditions), MeasureError> {
         let (report, cases) = (self.folder.join("report.json"), self.folder.join("cases"));
         match fs::remove_file(&report) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error.into()),
@@ -138,8 +169,11 @@ impl Bench {
             .ok()
             .and_then(|bytes| serde_json::from_slice(&bytes).ok())
             .ok_or_else(|| MeasureError::Fuzz(last_lines(&said)))?;
+        let Build { version, rustc, processor, cores } = report.runs.into_iter().next().unwrap_or_default();
+        let Bench { jobs, limit_s, seed, .. } = *self;
+        let conditions = Conditions { jobs, limit_s, seed, version, rustc, processor, cores };
         let Some(first) = report.differences.first() else {
-            return Ok(Measured { found: false, seconds: report.seconds, cases: report.programs });
+            return Ok((Measured { found: false, seconds: report.seconds, cases: report.programs }, conditions));
         };
         let case = cases.join(format!("case-{}.rll", first.program));
         let mut again = Command::new(self.sound());
@@ -147,7 +181,7 @@ impl Bench {
         if !again.stdin(Stdio::null()).output()?.status.success() {
             return Err(MeasureError::Sound(case));
         }
-        Ok(Measured { found: true, seconds: first.after_seconds, cases: first.after_programs })
+        Ok((Measured { found: true, seconds: first.after_seconds, cases: first.after_programs }, conditions))
     }
 
     fn built(&self) -> PathBuf {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Channel, Defect, Measured};
+use crate::{Channel, Conditions, Defect, Measured};
 
 /// What was measured of each defect, by its name.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -16,12 +16,20 @@ pub struct Times {
     /// Random programs alone.
     #[serde(default)]
     pub plain: BTreeMap<String, Measured>,
+    /// Under what the last of each was measured, `guided` and `plain`.
+    #[serde(default)]
+    pub conditions: BTreeMap<String, Conditions>,
 }
 
 impl Times {
     /// Those with guidance, or those without.
     pub fn of(&mut self, plain: bool) -> &mut BTreeMap<String, Measured> {
         if plain { &mut self.plain } else { &mut self.guided }
+    }
+
+    /// Says under what one was measured.
+    pub fn measured_under(&mut self, plain: bool, conditions: Conditions) {
+        self.conditions.insert(if plain { "plain" } else { "guided" }.to_owned(), conditions);
     }
 }
 

@@ -32,6 +32,7 @@ pub use page::page;
 pub use picture::picture;
 pub use report::{Report, RoutineRow, RungRow};
 pub use stopwatch::{Realtime, Stopwatch};
+pub(crate) use units::count;
 pub use units::time;
 
 use crate::mix;

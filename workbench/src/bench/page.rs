@@ -2,14 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::html::{self, escaped};
+
 use super::Report;
 use super::units::{count, time};
-
-const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
-table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:right;border-bottom:1px solid #d0d7de}\
-td:first-child,th:first-child{text-align:left}code{font-size:13px}.bar{fill:#3b73b9}.mark{stroke:#b3261e;stroke-dasharray:4 3}\
-.axis{stroke:#8c959f}text{font-size:12px;fill:currentColor}.verdict{border-left:4px solid #3b73b9;padding:.4rem 1rem}\
-@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}td,th{border-color:#30363d}.mark{stroke:#ff7b72}}";
 
 /// Drawing size in user units.
 const WIDTH: f64 = 900.0;
@@ -20,12 +16,11 @@ const BELOW: f64 = 30.0;
 
 /// Writes the page.
 pub fn page(report: &Report) -> String {
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Scan time of {0}</title>\
-         <meta name=\"viewport\" content=\"width=device-width\"><style>{STYLE}</style></head><body>\n\
-         <h1>Scan time of {0}</h1>\n<p>Safety application {1}; {2} rungs; {3} scans on both channels, compared after each; \
-         period {4}, watchdog {5}.</p>\n<p class=\"verdict\">{6}</p>\n",
-        escaped(&report.project),
+    let mut out = html::begin(&format!("Scan time of {}", report.project));
+    let _ = writeln!(
+        out,
+        "<p>Safety application {}; {} rungs; {} scans on both channels, compared after each; \
+         period {}, watchdog {}.</p>\n<p class=\"verdict\">{}</p>",
         escaped(&report.signature),
         count(report.rungs),
         count(report.scans),
@@ -45,12 +40,8 @@ pub fn page(report: &Report) -> String {
         let _ = writeln!(out, "<p>{on_threads}</p>");
     }
     instructions(&mut out, report);
-    out.push_str("</body></html>\n");
+    out.push_str(html::END);
     out
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 fn histogram(out: &mut String, report: &Report) {
@@ -112,7 +103,7 @@ fn histogram(out: &mut String, report: &Report) {
 
 fn parts(out: &mut String, report: &Report) {
     let heads = report.scan_ns.marks().map(|(name, _)| format!("<th>{name}</th>")).concat();
-    let _ = writeln!(out, "<h2>Parts of a scan</h2>\n<table><tr><th></th>{heads}</tr>");
+    let _ = writeln!(out, "<h2>Parts of a scan</h2>\n<table class=\"numbers\"><tr><th></th>{heads}</tr>");
     let late = report.jitter_ns.map(|jitter| ("began late by", jitter));
     for (name, quantiles) in std::iter::once(("scan", report.scan_ns)).chain(report.parts()).chain(late) {
         let cells = quantiles.marks().map(|(_, ns)| format!("<td>{}</td>", time(ns))).concat();
@@ -123,7 +114,7 @@ fn parts(out: &mut String, report: &Report) {
 
 fn instructions(out: &mut String, report: &Report) {
     out.push_str(
-        "<h2>Instructions in a scan</h2>\n<table><tr><th></th><th>rungs</th><th>at most seen</th><th>bound</th>\
+        "<h2>Instructions in a scan</h2>\n<table class=\"numbers\"><tr><th></th><th>rungs</th><th>at most seen</th><th>bound</th>\
          <th>bound, estimated time</th></tr>\n",
     );
     let estimated = |ns: Option<u64>| ns.map(time).unwrap_or_default();
@@ -150,7 +141,7 @@ fn instructions(out: &mut String, report: &Report) {
         row(&routine.routine, Some(routine.rungs), seen, bound, routine.estimated_ns);
     }
     out.push_str(
-        "</table>\n<h2>Most expensive rungs</h2>\n<table><tr><th>rung</th><th>instructions</th><th>bound</th>\
+        "</table>\n<h2>Most expensive rungs</h2>\n<table class=\"numbers\"><tr><th>rung</th><th>instructions</th><th>bound</th>\
          <th>estimated time</th><th>text</th></tr>\n",
     );
     for rung in &report.most_expensive_rungs {

@@ -23,7 +23,7 @@ fn three_digits(value: f64) -> String {
 }
 
 /// A count with a comma between thousands.
-pub(super) fn count(number: u64) -> String {
+pub(crate) fn count(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (index, digit) in digits.chars().enumerate() {

@@ -112,7 +112,7 @@ where
                 scan += 1;
             }
             let outcome = self.subject.inject(state.clone(), *fault, self.plan.follow);
-            if let Ok(index) = reports.binary_search_by_key(&fault.class, ClassReport::class) {
+            if let Ok(index) = self.classes.binary_search_by_key(&fault.class, |(class, _)| *class) {
                 reports[index].count(*fault, outcome);
             }
             done.fetch_add(1, Ordering::Relaxed);

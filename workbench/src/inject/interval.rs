@@ -1,12 +1,12 @@
-//! Diagnostic coverage with its confidence interval.
+//! Shares with their confidence intervals.
 
-use statrs::distribution::{Beta, ContinuousCDF};
+use statrs::distribution::{Beta, ContinuousCDF, Normal};
 
 /// The probability that an interval does not hold what it is of.
 const MISSED: f64 = 0.05;
 
 /// A share of faults, with the exact (Clopper-Pearson) interval of 95 %.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Coverage {
     /// Detected faults among the faults that were not masked; 1 where none was.
     pub share: f64,
@@ -30,6 +30,20 @@ impl Coverage {
         let upper = if misses == 0.0 { 1.0 } else { quantile(hits + 1.0, misses, 1.0 - MISSED / 2.0, 1.0) };
         Coverage { share: hits / all as f64, lower, upper }
     }
+
+    /// So many of so many that were drawn, with the interval of Wilson (1927) of 95 %, which is the usual one where a score
+    /// is estimated from a sample.
+    pub fn wilson(hits: u64, all: u64) -> Coverage {
+        if all == 0 {
+            return Coverage { share: 1.0, lower: 0.0, upper: 1.0 };
+        }
+        let (count, share) = (all as f64, hits.min(all) as f64 / all as f64);
+        let z = Normal::standard().inverse_cdf(1.0 - MISSED / 2.0);
+        let middle = share + z * z / (2.0 * count);
+        let half = z * (share * (1.0 - share) / count + z * z / (4.0 * count * count)).sqrt();
+        let whole = 1.0 + z * z / count;
+        Coverage { share, lower: ((middle - half) / whole).max(0.0), upper: ((middle + half) / whole).min(1.0) }
+    }
 }
 
 #[cfg(test)]
@@ -52,6 +66,14 @@ mod tests {
         // 15 of 20: Clopper-Pearson 0.5090 to 0.9134.
         let coverage = Coverage::of(15, 20);
         assert!(is_near(coverage.lower, 0.5090) && is_near(coverage.upper, 0.9134), "{coverage:?}");
+    }
+
+    #[test]
+    fn wilson_when_some_were_missed_then_the_interval_is_the_published_one() {
+        // 15 of 20: Wilson 0.5313 to 0.8881.
+        let coverage = Coverage::wilson(15, 20);
+        assert!(is_near(coverage.lower, 0.5313) && is_near(coverage.upper, 0.8881), "{coverage:?}");
+        assert!(is_near(Coverage::wilson(120, 120).upper, 1.0));
     }
 
     #[test]

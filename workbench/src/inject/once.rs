@@ -15,7 +15,7 @@ use super::subject::{State, Subject};
 use super::upset::Upsetter;
 
 /// What found a fault.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mechanism {
     /// The comparison of cells.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::fault::{Class, Fault, Group};
 use super::interval::Coverage;
@@ -13,26 +13,50 @@ use super::once::{Mechanism, Outcome};
 const MISSES_LISTED: usize = 100;
 
 /// What a mechanism found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub struct Found {
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct MechanismReport {
     /// Faults.
     pub faults: u64,
     /// Scans until it was found, the fault's own being 1: the most.
     pub scans_max: u32,
+    /// Faults that it found in their own scan, in the one after it, and so on.
+    pub by_scan: Vec<u64>,
 }
 
-impl Found {
-    fn add(&mut self, other: Found) {
+impl MechanismReport {
+    fn found(&mut self, scans: u32) {
+        self.faults += 1;
+        self.scans_max = self.scans_max.max(scans);
+        let at = scans.saturating_sub(1) as usize;
+        if self.by_scan.len() <= at {
+            self.by_scan.resize(at + 1, 0);
+        }
+        self.by_scan[at] += 1;
+    }
+
+    fn add(&mut self, other: &MechanismReport) {
         self.faults += other.faults;
         self.scans_max = self.scans_max.max(other.scans_max);
+        if self.by_scan.len() < other.by_scan.len() {
+            self.by_scan.resize(other.by_scan.len(), 0);
+        }
+        self.by_scan.iter_mut().zip(&other.by_scan).for_each(|(sum, one)| *sum += one);
+    }
+
+    /// Scans within which so many of a hundred were found.
+    pub fn within(&self, percent: u64) -> usize {
+        let mut so_far = 0;
+        let enough = |found: &u64| {
+            so_far += found;
+            so_far * 100 >= self.faults * percent
+        };
+        self.by_scan.iter().position(enough).map_or(0, |at| at + 1)
     }
 }
 
 /// What became of the faults of one class.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ClassReport {
-    #[serde(skip)]
-    class: Class,
     /// The name of the class.
     pub name: String,
     /// Its group.
@@ -56,7 +80,7 @@ pub struct ClassReport {
     /// Detected or off, of all that were neither masked nor latent nor impossible.
     pub coverage: Option<Coverage>,
     /// By what they were found.
-    pub mechanisms: BTreeMap<Mechanism, Found>,
+    pub mechanisms: BTreeMap<Mechanism, MechanismReport>,
     /// Faults that let a wrong output out, as `--replay` takes them; at most 100.
     pub misses: Vec<String>,
 }
@@ -64,7 +88,6 @@ pub struct ClassReport {
 impl ClassReport {
     pub(super) fn new(class: Class, population: u64) -> ClassReport {
         ClassReport {
-            class,
             name: class.to_string(),
             group: class.group(),
             population,
@@ -81,10 +104,6 @@ impl ClassReport {
         }
     }
 
-    pub(super) fn class(&self) -> Class {
-        self.class
-    }
-
     pub(super) fn count(&mut self, fault: Fault, outcome: Outcome) {
         self.injected += 1;
         match outcome {
@@ -92,7 +111,7 @@ impl ClassReport {
             Outcome::Latent => self.latent += 1,
             Outcome::Detected(mechanism, scans) => {
                 self.detected += 1;
-                self.mechanisms.entry(mechanism).or_default().add(Found { faults: 1, scans_max: scans });
+                self.mechanisms.entry(mechanism).or_default().found(scans);
             }
             Outcome::Off => self.off += 1,
             Outcome::LetOut(_) => {
@@ -105,6 +124,7 @@ impl ClassReport {
         }
     }
 
+    /// Adds what was counted elsewhere of the same places.
     pub(super) fn add(&mut self, other: ClassReport) {
         self.injected += other.injected;
         self.impossible += other.impossible;
@@ -113,15 +133,15 @@ impl ClassReport {
         self.detected += other.detected;
         self.off += other.off;
         self.let_out += other.let_out;
-        for (mechanism, found) in other.mechanisms {
-            self.mechanisms.entry(mechanism).or_default().add(found);
+        for (mechanism, found) in &other.mechanisms {
+            self.mechanisms.entry(*mechanism).or_default().add(found);
         }
         self.misses.extend(other.misses);
     }
 }
 
 /// Some classes together.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The group.
     pub group: Group,
@@ -136,7 +156,7 @@ pub struct Summary {
 }
 
 /// What became of all faults.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// The seed.
     pub seed: u64,
@@ -155,28 +175,10 @@ impl Report {
         for class in &mut classes {
             class.misses.sort();
             class.misses.truncate(MISSES_LISTED);
-            let (good, all) = effective(class);
-            class.coverage = (all > 0).then(|| Coverage::of(good, all));
+            class.cover();
         }
-        let mut report = Report { seed, scans, follow, groups: Vec::new(), classes };
-        report.groups = [Group::Channel, Group::Shared, Group::Residual]
-            .into_iter()
-            .filter_map(|group| report.summary(group))
-            .collect();
-        report
-    }
-
-    fn summary(&self, group: Group) -> Option<Summary> {
-        let classes = || self.classes.iter().filter(|class| class.group == group);
-        classes().next()?;
-        let (good, all) = classes().map(effective).fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
-        Some(Summary {
-            group,
-            injected: classes().map(|class| class.injected).sum(),
-            effective: all,
-            let_out: classes().map(|class| class.let_out).sum(),
-            coverage: Coverage::of(good, all),
-        })
+        let groups = summaries(&classes);
+        Report { seed, scans, follow, groups, classes }
     }
 
     /// Faults that let a wrong output out.
@@ -188,21 +190,61 @@ impl Report {
     pub fn injected(&self) -> u64 {
         self.classes.iter().map(|class| class.injected).sum()
     }
+}
 
-    /// What each mechanism found.
-    pub fn mechanisms(&self) -> BTreeMap<Mechanism, Found> {
-        let mut all: BTreeMap<Mechanism, Found> = BTreeMap::new();
-        for (mechanism, found) in self.classes.iter().flat_map(|class| &class.mechanisms) {
-            all.entry(*mechanism).or_default().add(*found);
-        }
-        all
+impl ClassReport {
+    /// Those found or off, and those that a run showed.
+    fn effective(&self) -> (u64, u64) {
+        let good = self.detected + self.off;
+        (good, good + self.let_out)
+    }
+
+    fn cover(&mut self) {
+        let (good, all) = self.effective();
+        self.coverage = (all > 0).then(|| Coverage::of(good, all));
     }
 }
 
-/// Those found or off, and those that a run showed.
-fn effective(class: &ClassReport) -> (u64, u64) {
-    let good = class.detected + class.off;
-    (good, good + class.let_out)
+/// Classes by their groups.
+pub fn summaries(classes: &[ClassReport]) -> Vec<Summary> {
+    let summary = |group: Group| {
+        let of = || classes.iter().filter(|class| class.group == group);
+        of().next()?;
+        let (good, all) = of().map(ClassReport::effective).fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
+        Some(Summary {
+            group,
+            injected: of().map(|class| class.injected).sum(),
+            effective: all,
+            let_out: of().map(|class| class.let_out).sum(),
+            coverage: Coverage::of(good, all),
+        })
+    };
+    [Group::Channel, Group::Shared, Group::Residual].into_iter().filter_map(summary).collect()
+}
+
+/// What each mechanism found.
+pub fn mechanisms(classes: &[ClassReport]) -> BTreeMap<Mechanism, MechanismReport> {
+    let mut all: BTreeMap<Mechanism, MechanismReport> = BTreeMap::new();
+    for (mechanism, found) in classes.iter().flat_map(|class| &class.mechanisms) {
+        all.entry(*mechanism).or_default().add(found);
+    }
+    all
+}
+
+/// The classes of several projects, those of one name together: other places, so they add up, too.
+pub fn together<'c>(classes: impl IntoIterator<Item = &'c ClassReport>) -> Vec<ClassReport> {
+    let mut sums: Vec<ClassReport> = Vec::new();
+    for class in classes {
+        match sums.iter_mut().find(|sum| sum.name == class.name) {
+            Some(sum) => {
+                sum.population += class.population;
+                sum.add(class.clone());
+            }
+            None => sums.push(class.clone()),
+        }
+    }
+    sums.iter_mut().for_each(ClassReport::cover);
+    sums
 }
 
 impl fmt::Display for Report {
@@ -231,7 +273,7 @@ impl fmt::Display for Report {
             )?;
         }
         writeln!(f, "\n{:<44} {:>9} {:>22}", "found by", "faults", "within scans, at most")?;
-        for (mechanism, found) in self.mechanisms() {
+        for (mechanism, found) in mechanisms(&self.classes) {
             writeln!(f, "{:<44} {:>9} {:>22}", mechanism.words(), found.faults, found.scans_max)?;
         }
         writeln!(f)?;

@@ -5,32 +5,19 @@ use std::fmt::Write as _;
 use super::human::{decided_by, ladder_of};
 use super::{CoverageReport, FailureReport, ProjectReport, ScenarioReport};
 use crate::diagram::{self, Style};
-
-const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:70rem;margin:2rem auto;padding:0 1rem;color:#1b1f24;background:#fff}\
-table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:left;vertical-align:top;border-bottom:1px solid #d0d7de}\
-td.n{text-align:right}pre{font:13px/1.25 ui-monospace,monospace;overflow-x:auto;padding:.6rem 1rem;background:#f6f8fa}\
-.met{color:#1a7f37}.not{color:#b3261e;font-weight:600}.verdict{border-left:4px solid #3b73b9;padding:.4rem 1rem}\
-@media(prefers-color-scheme:dark){body{color:#e6edf3;background:#0d1117}td,th{border-color:#30363d}pre{background:#161b22}\
-.met{color:#3fb950}.not{color:#ff7b72}}";
+use crate::html::{self, escaped};
 
 /// Columns of drawings on the page.
 const COLUMNS: usize = 120;
 
 /// The reports of several projects as one page.
 pub fn page(reports: &[ProjectReport]) -> String {
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Project verification test</title>\
-         <meta name=\"viewport\" content=\"width=device-width\"><style>{STYLE}</style></head><body>\n"
-    );
+    let mut out = html::head("Project verification test");
     for report in reports {
         project(&mut out, report);
     }
-    out.push_str("</body></html>\n");
+    out.push_str(html::END);
     out
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 fn project(out: &mut String, report: &ProjectReport) {

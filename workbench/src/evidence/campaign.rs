@@ -1,0 +1,146 @@
+//! The differential campaign: reports of `twinrung fuzz`, added up.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+use twinrung_catalog::Opcode;
+
+use crate::fuzz::{Coverage, Point, Report, SCHEMA, Universe, What, unreachable};
+
+use super::{EvidenceError, Origin, Sources};
+
+/// So many of so many.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+pub struct Share {
+    /// Reached.
+    pub reached: usize,
+    /// To be reached.
+    pub of: usize,
+}
+
+impl Share {
+    fn count(&mut self, is_missing: bool) {
+        self.of += 1;
+        self.reached += usize::from(!is_missing);
+    }
+}
+
+/// What was reached of an instruction.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct InstructionCoverage {
+    /// The instruction.
+    pub mnemonic: &'static str,
+    /// Outcomes: rung false, rung true, and what it passes on.
+    pub outcomes: Share,
+    /// Operands by their forms.
+    pub forms: Share,
+    /// Operands by the classes of their values.
+    pub values: Share,
+}
+
+/// All campaigns together.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CampaignEvidence {
+    /// The reports, added up.
+    pub total: Report,
+    /// Each file with the differences that it reports: program and text.
+    #[serde(skip)]
+    pub reported: Vec<(String, u64, String)>,
+    /// Processor time, as far as it was recorded.
+    pub processor_seconds: f64,
+    /// Campaigns whose processor time was recorded, of all.
+    pub processor_recorded: Share,
+    /// By instruction.
+    pub coverage: Vec<InstructionCoverage>,
+    /// Points that cannot be reached, by the reason.
+    pub unreachable: BTreeMap<&'static str, usize>,
+    /// Points to be reached in the release that judges; other than those of the reports where they are of another release.
+    pub points_reachable_here: usize,
+}
+
+impl CampaignEvidence {
+    pub(super) fn read(
+        sources: &Sources,
+        origins: &mut Vec<Origin>,
+    ) -> Result<Option<CampaignEvidence>, EvidenceError> {
+        let mut total: Option<Report> = None;
+        let mut reported = Vec::new();
+        for file in &sources.fuzz {
+            let report: Report = serde_json::from_slice(&file.bytes)
+                .map_err(|error| file.wrong(format_args!("no report of `twinrung fuzz --report`: {error}")))?;
+            if !report.is_known() {
+                return Err(file.wrong(format_args!(
+                    "a report of form {}, and this release knows {SCHEMA}: use the release that wrote it",
+                    report.schema
+                )));
+            }
+            origins.push(file.origin(report.runs.iter().map(|run| run.provenance.clone()).collect()));
+            let found = report.differences.iter();
+            reported.extend(found.map(|one| (file.name.clone(), one.program, one.difference.clone())));
+            match &mut total {
+                Some(total) => total.add(&report),
+                None => total = Some(report),
+            }
+        }
+        Ok(total.map(|total| CampaignEvidence::of(total, reported)))
+    }
+
+    fn of(total: Report, reported: Vec<(String, u64, String)>) -> CampaignEvidence {
+        let recorded: Vec<f64> = total.runs.iter().filter_map(|run| run.provenance.processor_seconds).collect();
+        let mut unreachable_points: BTreeMap<&'static str, usize> = BTreeMap::new();
+        for reason in Universe::get().points().iter().filter_map(unreachable) {
+            *unreachable_points.entry(reason).or_default() += 1;
+        }
+        CampaignEvidence {
+            coverage: coverage(&total.points_missing),
+            reported,
+            processor_seconds: recorded.iter().sum(),
+            processor_recorded: Share { reached: recorded.len(), of: total.seeds.len() },
+            unreachable: unreachable_points,
+            points_reachable_here: Coverage::reachable(),
+            total,
+        }
+    }
+
+    /// Whether the table of what there is to reach is that of this release.
+    pub fn is_of_this_table(&self) -> bool {
+        self.total.points_reachable == self.points_reachable_here
+    }
+
+    /// Points that were not reached. Those that only one of two tables knows count as not reached: nobody can tell.
+    fn missing(&self) -> usize {
+        self.total.points_missing.len() + self.total.points_reachable.abs_diff(self.points_reachable_here)
+    }
+
+    pub(super) fn value(&self, figure: &str) -> Option<f64> {
+        match figure {
+            "seconds" => Some(self.total.seconds),
+            "missing" => Some(self.missing() as f64),
+            _ => None,
+        }
+    }
+}
+
+/// What was reached, by instruction.
+fn coverage(missing: &[String]) -> Vec<InstructionCoverage> {
+    let missing: BTreeSet<&str> = missing.iter().map(String::as_str).collect();
+    let mut all: BTreeMap<Opcode, InstructionCoverage> = BTreeMap::new();
+    for point in Universe::get().points().iter().filter(|point| unreachable(point).is_none()) {
+        let Point { opcode, what } = *point;
+        let of = all.entry(opcode).or_insert_with(|| InstructionCoverage {
+            mnemonic: opcode.instruction().mnemonic,
+            outcomes: Share::default(),
+            forms: Share::default(),
+            values: Share::default(),
+        });
+        let share = match what {
+            What::Outcome(..) => &mut of.outcomes,
+            What::Operand(..) => &mut of.forms,
+            What::Value(..) => &mut of.values,
+        };
+        share.count(missing.contains(point.to_string().as_str()));
+    }
+    let mut all: Vec<InstructionCoverage> = all.into_values().collect();
+    all.sort_by_key(|one| one.mnemonic);
+    all
+}
