@@ -91,6 +91,26 @@ fn channels_when_both_lack_the_same_cell_then_the_second_comparison_finds_it() {
     }
 }
 
+/// REQ-SCAN-013. Where all cells are alike, nothing but their number shows that one is missing.
+#[test]
+fn channels_when_one_lacks_a_cell_among_cells_that_are_alike_then_the_second_comparison_finds_it() {
+    let (mut first, mut second) = (First::new(), Second::new());
+    first.bits.fill(0);
+    first.words.fill(0);
+    second.bits.fill(u8::MAX);
+    second.words.fill(u32::MAX);
+    let wrong = |first: &First, second: &Second| reciprocal::remainder(&image(), second, first, COMPLETED) != 0;
+    assert!(!wrong(&first, &second));
+    let (mut fewer, mut other) = (first.clone(), second.clone());
+    fewer.bits.pop();
+    other.bits.pop();
+    assert!(wrong(&fewer, &second) && wrong(&first, &other), "bits");
+    let (mut fewer, mut other) = (first.clone(), second.clone());
+    fewer.words.pop();
+    other.words.pop();
+    assert!(wrong(&fewer, &second) && wrong(&first, &other), "words");
+}
+
 /// REQ-SCAN-002, REQ-SCAN-013. Every bit of every cell, alone.
 #[test]
 fn cells_when_one_bit_differs_then_both_comparisons_say_which_and_the_first_says_where() {
@@ -113,6 +133,19 @@ fn cells_when_one_bit_differs_then_both_comparisons_say_which_and_the_first_says
         assert_eq!((compared.remainder, compared.difference), (1 << bit, Some(difference)));
         assert_eq!(reciprocal::remainder(&records, &second, &first, COMPLETED), 1 << bit);
     }
+}
+
+/// REQ-SCAN-002. Which of the two holds its cells complemented is all the same.
+#[test]
+fn cells_when_the_primary_is_the_complemented_channel_then_a_difference_is_said_in_plain_values() {
+    let (records, first) = (image(), First::new());
+    let mut second = Second::new();
+    second.words[3] ^= 4;
+    let difference = Difference::Word(WordCell(3), !second.words[3] as i32, first.words[3] as i32);
+    assert_eq!(compared(&records, &second, &first, COMPLETED).difference, Some(difference));
+    second.bits[5] ^= 1;
+    let difference = Difference::Bit(BitCell(5), !second.bits[5], first.bits[5]);
+    assert_eq!(compared(&records, &second, &first, COMPLETED).difference, Some(difference));
 }
 
 /// REQ-SCAN-002. Differences that would cancel each other out in a sum without carry.

@@ -2,9 +2,9 @@
 
 use twinrung_bytecode::image::SystemValueRecord;
 use twinrung_bytecode::index::{BitCell, EventTaskIndex, TagIndex, WordCell};
-use twinrung_bytecode::limits;
+use twinrung_bytecode::{admit, limits};
 use twinrung_catalog::instructions::system::ATTRIBUTES;
-use twinrung_controller::{CellRange, ScanReport};
+use twinrung_controller::{CellRange, Controller, ScanReport};
 
 use crate::fake::*;
 
@@ -63,6 +63,21 @@ fn cells_when_read_then_they_are_what_both_channels_hold() {
     assert_eq!((controller.bit(INPUT), controller.bit(OUTPUT)), (Some(false), Some(false)));
     assert_eq!((controller.word(COUNT), controller.word(BEHAVIOUR)), (Some(2), Some(FAITHFUL)));
     assert_eq!((controller.bit(BitCell(2)), controller.word(WordCell(2))), (None, None), "past the last cell");
+}
+
+/// REQ-SCAN-001, REQ-SCAN-008. Which of the two holds its cells complemented is all the same.
+#[test]
+fn cells_when_the_primary_is_the_complemented_channel_then_they_are_read_and_published_as_they_are() {
+    let bytes = sealed(FAITHFUL);
+    let mut controller: Controller<Fake<true>, Fake<false>> = Controller::load(admit(&bytes).unwrap(), &bytes).unwrap();
+    controller.power_up_in_run();
+    controller.publish_also(word(COUNT));
+    for (input, scans) in [(true, 1), (false, 2), (true, 3)] {
+        controller.drive_bit(INPUT, input);
+        assert_eq!(controller.scan(i64::from(scans) * 10).stopped, None);
+        assert_eq!((controller.bit(OUTPUT), controller.published_bit(OUTPUT)), (Some(input), Some(input)));
+        assert_eq!((controller.word(COUNT), controller.published_word(COUNT)), (Some(scans), Some(scans)));
+    }
 }
 
 #[test]

@@ -26,6 +26,15 @@ pub const EXECUTES_NOTHING: i32 = 9;
 pub const LOSES_A_CELL: i32 = 10;
 pub const FIRST_STOPS: i32 = 11;
 pub const SECOND_STOPS: i32 = 12;
+pub const FAULTS_IN_PRESCAN: i32 = 13;
+pub const SECOND_FAULTS_IN_PRESCAN: i32 = 14;
+pub const LOSES_A_CELL_IN_PRESCAN: i32 = 15;
+pub const STOPS_IN_PRESCAN: i32 = 16;
+
+const FAULT: ScanEnd = ScanEnd::MajorFault(MajorFault {
+    code: 20,
+    place: Place { program: ProgramIndex(0), routine: RoutineIndex(0), rung: 0, element: 0 },
+});
 
 /// Copies its input to its output; from its third scan on it behaves as it was told.
 pub struct Fake<const SECOND: bool> {
@@ -77,11 +86,20 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
 
     fn prescan<O: Observer>(&mut self, _inputs: ScanInputs<'_>, _observer: &mut O) -> ScanEnd {
         self.prescans += 1;
-        ScanEnd::Completed
+        match self.behaviour {
+            FAULTS_IN_PRESCAN => FAULT,
+            SECOND_FAULTS_IN_PRESCAN if SECOND => FAULT,
+            LOSES_A_CELL_IN_PRESCAN => {
+                self.words.pop();
+                ScanEnd::Completed
+            }
+            _ => ScanEnd::Completed,
+        }
     }
 
     fn has_stopped(&self) -> bool {
-        self.scans >= 3 && self.behaviour == if SECOND { SECOND_STOPS } else { FIRST_STOPS }
+        self.behaviour == STOPS_IN_PRESCAN
+            || self.scans >= 3 && self.behaviour == if SECOND { SECOND_STOPS } else { FIRST_STOPS }
     }
 
     fn scan<O: Observer>(&mut self, inputs: ScanInputs<'_>, _observer: &mut O) -> ScanEnd {
@@ -100,10 +118,7 @@ impl<const SECOND: bool> Channel for Fake<SECOND> {
             DIFFERS_IN_A_WORD if acts && SECOND => self.set_word(COUNT, -1),
             LOSES_A_CELL if acts => drop(self.words.pop()),
             DIFFERS_IN_RECORD if acts && SECOND => self.record[2] = 4,
-            FAULTS if acts => {
-                let place = Place { program: ProgramIndex(0), routine: RoutineIndex(0), rung: 0, element: 0 };
-                return ScanEnd::MajorFault(MajorFault { code: 20, place });
-            }
+            FAULTS if acts => return FAULT,
             EXCEEDS_BUDGET | EXCEEDS_BUDGET_ON_ANOTHER_PATH if acts => return ScanEnd::BudgetExceeded,
             _ => {}
         }

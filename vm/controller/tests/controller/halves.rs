@@ -2,7 +2,7 @@
 
 use twinrung_bytecode::injection::Flip;
 use twinrung_bytecode::observer::Silent;
-use twinrung_controller::{Moment, Part, SafetyFault, ScanClock, Shared, SharedMemory, Side, StopReason};
+use twinrung_controller::{Mode, Moment, Part, SafetyFault, ScanClock, Shared, SharedMemory, Side, StopReason};
 
 use crate::fake::*;
 
@@ -130,4 +130,18 @@ fn task_when_its_stop_is_forgotten_then_it_does_not_execute_again() {
     controller.scan(30);
     assert_eq!(controller.stopped(), Some(StopReason::Safety(SafetyFault::ControllerCorrupted)));
     assert_eq!(controller.published_bit(OUTPUT), Some(false));
+}
+
+/// REQ-SCAN-017. Each half has taken back its permission when the mode became Program.
+#[test]
+fn mode_when_it_turns_from_program_to_run_by_itself_then_nothing_executes() {
+    let mut controller = running(FAITHFUL);
+    controller.scan(0);
+    controller.request_mode(Mode::Program);
+    assert_eq!([10, 20].map(|now_ms| controller.scan(now_ms).executed), [true, false]);
+    assert_eq!(controller.shared().flip(Side::Primary, SharedMemory::Mode, 0), Flip::Done);
+    assert_eq!(controller.mode(), Mode::Run);
+    controller.scan(30);
+    assert_eq!(controller.stopped(), Some(StopReason::Safety(SafetyFault::ControllerCorrupted)));
+    assert_eq!(controller.status().executed, 2);
 }

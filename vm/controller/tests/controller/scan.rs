@@ -142,6 +142,25 @@ fn scan_when_both_channels_fault_then_the_task_stops_with_14_2() {
     assert_eq!(reason.type_and_code(), (14, 2));
 }
 
+/// REQ-SCAN-002, REQ-SCAN-005, REQ-SCAN-013, REQ-SCAN-030. A prescan is judged as a scan is, and no scan follows one that failed.
+#[test]
+fn prescan_when_it_fails_then_the_task_stops_before_a_scan_executes() {
+    let first_scan = |behaviour| {
+        let mut controller = running(behaviour);
+        let stopped = controller.scan(0).stopped;
+        assert_eq!(controller.status().executed, 0);
+        assert_eq!(controller.published_bit(OUTPUT), Some(false));
+        assert_eq!(controller.scan(10).stopped, stopped, "and it stays stopped");
+        stopped
+    };
+    let safety = |fault| Some(StopReason::Safety(fault));
+    assert_eq!(first_scan(FAULTS_IN_PRESCAN).map(StopReason::type_and_code), Some((14, 2)));
+    let differs = first_scan(SECOND_FAULTS_IN_PRESCAN);
+    assert!(matches!(differs, Some(StopReason::Safety(SafetyFault::Difference(Difference::End(_, _))))), "{differs:?}");
+    assert_eq!(first_scan(LOSES_A_CELL_IN_PRESCAN), safety(SafetyFault::SecondComparison));
+    assert_eq!(first_scan(STOPS_IN_PRESCAN), safety(SafetyFault::ChannelStopped));
+}
+
 /// REQ-SCAN-004
 #[test]
 fn scan_when_the_budget_runs_out_then_the_task_stops_with_14_1() {
