@@ -306,7 +306,7 @@ impl Rails {
         self.protect(storage);
         self.protect(output);
         // The condition is an image cell at times: after the output was written only a copy may still be read.
-        let condition = if signal == storage || signal == output {
+        let condition = if signal == output {
             let copy = self.signal();
             self.store(Cone::literal(signal, false), copy);
             Cone::literal(copy, false)

@@ -333,3 +333,12 @@ fn work_when_ordered_then_equal_work_of_many_rungs_is_one_run() {
 fn operand_when_several_instructions_name_it_then_is_decoded_once() {
     assert_eq!(lowered(&["XIC(a)OTE(b)", "XIO(a)OTL(b)"]).operands.len(), 2);
 }
+
+#[test]
+fn scratch_when_a_signal_was_used_for_the_last_time_then_its_cell_serves_the_next() {
+    let program = lowered(&["EQU(i,1)ADD(i,1,i)"; 20]);
+    let mut cells: Vec<u32> = program.tables.compares.iter().map(|compare| compare.out).collect();
+    assert_eq!(cells.len(), 20);
+    cells.dedup();
+    assert_eq!(cells.len(), 1);
+}
