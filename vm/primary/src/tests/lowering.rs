@@ -205,6 +205,9 @@ fn timer_when_a_copy_over_its_array_and_moves_within_it_are_written_then_stands_
 #[test]
 fn scan_when_a_word_was_set_below_zero_then_goes_by_steps_where_no_timer_holds_it() {
     let mut rig = Rig::new("t TIMER; i DINT; b BOOL", &["TON(t,?,?)"]);
+    rig.scan();
+    rig.set("i", 0);
+    assert!(!rig.silent.machine.doubtful);
     rig.set("i", -1);
     assert!(rig.silent.machine.doubtful);
     rig.scan();
@@ -271,6 +274,8 @@ fn condition_when_several_coils_store_it_then_no_gate_is_spent_on_copies() {
     assert_eq!(gates("AFI()XIC(a)TON(t,?,?)"), 0);
     assert_eq!(gates("XIC(a)TON(t,?,?)"), 0);
     assert_eq!(gates("XIC(a)XIC(b)TON(t,?,?)"), 1);
+    // One for the copy of b that the leg goes on with, one for the latch, one for d.
+    assert_eq!(gates("[XIC(a) ,XIC(b)OTL(b)XIC(c) ]OTE(d)"), 3);
 }
 
 #[test]
