@@ -6,5 +6,6 @@ mod mutants;
 mod page;
 mod samples;
 mod support;
+mod terminals;
 mod time;
 mod verdict;

@@ -33,6 +33,7 @@ pub mod recording;
 pub mod run;
 pub mod scenario;
 pub mod signal;
+pub mod site;
 pub mod stimulus;
 pub mod threads;
 pub mod transition;

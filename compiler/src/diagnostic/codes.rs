@@ -177,6 +177,10 @@ codes! {
     SCENARIO_EXCLUSION = "E0506", "an exclusion names nothing",
         "An exclusion names an item of the coverage as the report lists it, and gives a reason.",
         "docs/scenarios.md";
+    /// Something at a terminal that cannot be.
+    SCENARIO_TERMINAL = "E0507", "a terminal cannot do this",
+        "A terminal belongs to a 1734-IB8S, 1734-OB8S or 1734-IE4S of the project and is one that the project uses. Where a scenario acts at terminals, the tags of these modules follow, and are not driven by name.",
+        "docs/scenarios.md";
 
     /// A suppression that is not admitted.
     BAD_SUPPRESSION = "E0411", "a suppression is not admitted",

@@ -91,7 +91,7 @@ mod tests {
     fn file_when_it_holds_every_form_then_it_is_read_without_an_error() {
         let reading = read(include_str!("every_form.scenario"));
         assert!(reading.errors.is_empty(), "{:#?}", reading.errors);
-        assert_eq!(reading.file.items.len(), 6);
+        assert_eq!(reading.file.items.len(), 7);
     }
 
     #[test]
@@ -100,7 +100,8 @@ mod tests {
         assert_eq!(
             messages(text),
             [
-                "`=` does not belong here; expected `is`",
+                "`=` does not belong here; expected `is VALUE`, `terminal NUMBER`, or what happens to the module: \
+                 power lost, lost, idle",
                 "`then` does not belong here; expected a value: on, off, or a number",
             ]
         );

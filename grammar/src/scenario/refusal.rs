@@ -9,6 +9,8 @@ use crate::tree::{ErrorKind, ReadError};
 
 /// What the parser expects, and how a person is told. The first group of which anything is expected is named.
 const EXPECTED: &[(&[&str], &str)] = &[
+    (&["shorted"], "`is VALUE`, `shorted to`, `open` or `repaired`"),
+    (&["lost"], "`is VALUE`, `terminal NUMBER`, or what happens to the module: power lost, lost, idle"),
     (&["on"], "a value: on, off, or a number"),
     (&["ms"], "a unit of time: ms, s, min or scans"),
     (&["stays"], "`is VALUE`, a comparison, or `stays VALUE for TIME`"),
@@ -16,6 +18,7 @@ const EXPECTED: &[(&[&str], &str)] = &[
     (&["is"], "`is`"),
     (&["fault"], "a check: `NAME is VALUE`, `NAME stays VALUE for TIME` or `fault TYPE/CODE`"),
     (&["name"], "the name of a tag"),
+    (&["terminal"], "`24 V`, `0 V` or `terminal NUMBER`"),
     (&["because"], "`because` and a reason in quotes"),
     (&["quoted"], "a text in quotes"),
     (&["%"], "`%`"),

@@ -85,6 +85,24 @@ pub(crate) enum Token {
     #[token("scan")]
     #[token("scans")]
     Scans,
+    #[token("terminal")]
+    Terminal,
+    #[token("shorted")]
+    Shorted,
+    #[token("to")]
+    To,
+    #[token("open")]
+    Open,
+    #[token("repaired")]
+    Repaired,
+    #[token("lost")]
+    Lost,
+    #[token("restored")]
+    Restored,
+    #[token("idle")]
+    Idle,
+    #[token("running")]
+    Running,
     /// A tag, a member, an element, a bit, a published value, a value of the controller.
     #[regex(r"[A-Za-z_][A-Za-z0-9_]*(:[A-Za-z0-9_]+)*(\.[A-Za-z0-9_]+|\[[0-9]+(,[ ]*[0-9]+)*\])*", priority = 1)]
     Name,

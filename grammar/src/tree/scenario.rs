@@ -130,20 +130,80 @@ pub enum Mode {
     Program,
 }
 
-/// `NAME is VALUE`: drive this.
+/// Something that is done.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Setting {
-    /// What is driven.
-    pub name: Name,
-    /// With what.
-    pub value: Literal,
+pub enum Setting {
+    /// `NAME is VALUE`: drive this.
+    Value {
+        /// What is driven.
+        name: Name,
+        /// With what.
+        value: Literal,
+    },
+    /// `MODULE terminal 0 is on`, `MODULE terminal 0 shorted to 24 V`: something happens at a terminal.
+    Terminal {
+        /// Where.
+        terminal: Terminal,
+        /// What.
+        event: TerminalEvent,
+        /// All of it.
+        span: Span,
+    },
+    /// `MODULE power lost`: something happens to a module as a whole.
+    Module {
+        /// To which.
+        module: Name,
+        /// What.
+        event: ModuleEvent,
+        /// All of it.
+        span: Span,
+    },
+}
+
+/// `MODULE terminal 0`, `MODULE terminal T1`: a terminal of a module of the I/O tree.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Terminal {
+    /// The module's name.
+    pub module: Name,
+    /// A point's number, or letter and number, as written.
+    pub text: String,
+    /// All of it.
+    pub span: Span,
+}
+
+/// What happens at a terminal.
+#[derive(Clone, PartialEq, Debug)]
+pub enum TerminalEvent {
+    /// `is VALUE`: the device at it is on, off, or gives so much.
+    Is(Literal),
+    /// `shorted to 24 V`, `shorted to 0 V`: the number, and what it counts.
+    ShortedToVolts(Literal, Name),
+    /// `shorted to terminal 1`: of the same module.
+    ShortedToTerminal(Literal),
+    /// `open`: the wire is broken, or the lamp burnt out.
+    Open,
+    /// `repaired`: every fault of the wire is gone.
+    Repaired,
+}
+
+/// What happens to a module.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ModuleEvent {
+    /// `power lost`, `power restored`: its field power.
+    Power(bool),
+    /// `lost`, `restored`: the module itself.
+    Present(bool),
+    /// `idle`, `running`
+    Running(bool),
 }
 
 /// `NAME is VALUE`, `NAME < VALUE`: look at this.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Condition {
-    /// What is looked at.
+    /// What is looked at; of a terminal its words.
     pub name: Name,
+    /// The terminal that is looked at, where it is one.
+    pub terminal: Option<Terminal>,
     /// How it is compared.
     pub relation: Relation,
     /// With what.

@@ -10,7 +10,7 @@ use twinrung_grammar::tree::{ConsumeInfo, Module};
 
 /// What data travel on a connection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Direction {
+pub(crate) enum Direction {
     /// Into this controller: safety inputs, consumed tags.
     In,
     /// Out of it: safety outputs. One timeout less, since the output follows the safety task.
@@ -83,7 +83,8 @@ impl Connection {
         Connection::new(direction, rpi_us, timeouts, delay, limit)
     }
 
-    fn new(
+    /// From what a project says; the defaults hold where it says nothing. Times in µs, the delay in percent.
+    pub(crate) fn new(
         direction: Direction,
         rpi_us: Option<u64>,
         timeouts: Option<u32>,

@@ -2,7 +2,7 @@
 //! Appendix C, Figures 20 and 21, and Appendix E.
 
 mod chain;
-mod connection;
+pub(crate) mod connection;
 mod dependence;
 mod failure;
 

@@ -1,5 +1,7 @@
 //! Blocks put in front of each other, and their lines on one scale of time.
 
+pub(super) mod terminals;
+
 use twinrung_bytecode::AdmittedImage;
 use twinrung_compiler::diagnostic::{Finding, SCENARIO_BLOCK, SCENARIO_NAME, SCENARIO_TIME, SCENARIO_VALUE};
 use twinrung_grammar::tree::scenario::{
@@ -13,6 +15,7 @@ use super::words::{self, condition_text, never_text, time_text, within_text};
 use super::{Action, Change, Expectation, Expected};
 use crate::names;
 use crate::signal::{Signal, Value};
+use crate::site::Site;
 
 /// Setups in setups.
 const DEPTH_MAX: usize = 16;
@@ -56,9 +59,14 @@ impl<'a> Blocks<'a> {
 /// A scenario as it comes into being.
 pub struct Expansion<'a> {
     image: &'a AdmittedImage,
+    sites: &'a [Site],
     blocks: &'a Blocks<'a>,
     findings: &'a mut Vec<Finding>,
     period_ms: u64,
+    /// Whether anything happens at terminals, or is looked at there.
+    pub at_terminals: bool,
+    /// What was driven by its name, and where.
+    driven_at: Vec<(Name, Signal)>,
     /// Where the mode switch stands at power-up.
     pub power_up: Mode,
     /// What is done, in the order of the text.
@@ -86,12 +94,20 @@ struct Moment {
 
 impl<'a> Expansion<'a> {
     /// Nothing yet.
-    pub fn new(image: &'a AdmittedImage, blocks: &'a Blocks<'a>, findings: &'a mut Vec<Finding>) -> Expansion<'a> {
+    pub fn new(
+        image: &'a AdmittedImage,
+        sites: &'a [Site],
+        blocks: &'a Blocks<'a>,
+        findings: &'a mut Vec<Finding>,
+    ) -> Expansion<'a> {
         let period_us = image.image().task.as_ref().map_or(1000, |task| task.period_us);
         Expansion {
             image,
+            sites,
             blocks,
             findings,
+            at_terminals: false,
+            driven_at: Vec::new(),
             period_ms: u64::from(period_us / 1000).max(1),
             power_up: Mode::Run,
             actions: Vec::new(),
@@ -173,7 +189,8 @@ impl<'a> Expansion<'a> {
                 self.expect(text, line.span, (moment.now_ms, until_ms), kind);
             }
             LineKind::Never(never) => {
-                let kind = nevers(self.image, never)?;
+                self.at_terminals |= never.conditions.iter().any(|condition| condition.terminal.is_some());
+                let kind = nevers(self.image, self.sites, never)?;
                 self.expectations.push(Expectation {
                     text: never_text(never),
                     span: never.span,
@@ -221,20 +238,33 @@ impl<'a> Expansion<'a> {
     }
 
     fn settings(&mut self, settings: &[Setting], at_ms: u64) -> Result<(), Box<Finding>> {
-        settings.iter().try_for_each(|setting| self.set(setting, at_ms).map(|_| ()))
+        settings.iter().try_for_each(|setting| self.setting(setting, at_ms, None))
+    }
+
+    /// Does something; where it is held, what it was before comes back at that time in ms.
+    fn setting(&mut self, setting: &Setting, at_ms: u64, until_ms: Option<u64>) -> Result<(), Box<Finding>> {
+        let (done, span) = match setting {
+            Setting::Value { name, value } => {
+                let (signal, before) = self.set(name, value, at_ms)?;
+                return until_ms.map_or(Ok(()), |until_ms| self.drive(name, signal, before, until_ms));
+            }
+            Setting::Terminal { terminal, event, span } => (self.at_terminal(terminal, event, *span, at_ms)?, *span),
+            Setting::Module { module, event, span } => (self.at_module(module, *event, *span, at_ms)?, *span),
+        };
+        until_ms.map_or(Ok(()), |until_ms| self.happen(done.module, done.ends, until_ms, span))
     }
 
     /// Sets an input; what it was before.
-    fn set(&mut self, setting: &Setting, at_ms: u64) -> Result<(Signal, i32), Box<Finding>> {
-        let signal = self.driven(&setting.name)?;
-        let content = value::content(value::value(setting.name.as_str(), &setting.value, value::element(signal))?);
+    fn set(&mut self, name: &Name, literal: &Literal, at_ms: u64) -> Result<(Signal, i32), Box<Finding>> {
+        let signal = self.driven(name)?;
+        let content = value::content(value::value(name.as_str(), literal, value::element(signal))?);
         let before = self.before(signal);
         // A later setting ends a hold or a toggle of the same input.
         if self.acts_until_ms > at_ms {
             let of_it = |change: &Change| matches!(change, Change::Drive { signal: other, .. } if *other == signal);
             self.actions.retain(|action| action.at_ms <= at_ms || !of_it(&action.change));
         }
-        self.drive(&setting.name, signal, content, at_ms)?;
+        self.drive(name, signal, content, at_ms)?;
         Ok((signal, before))
     }
 
@@ -243,6 +273,9 @@ impl<'a> Expansion<'a> {
     }
 
     fn drive(&mut self, name: &Name, signal: Signal, content: i32, at_ms: u64) -> Result<(), Box<Finding>> {
+        if self.driven_at.iter().all(|(other, _)| other != name) {
+            self.driven_at.push((name.clone(), signal));
+        }
         match self.driven.iter_mut().find(|(other, _)| *other == signal) {
             Some((_, held)) => *held = content,
             None => self.driven.push((signal, content)),
@@ -267,11 +300,7 @@ impl<'a> Expansion<'a> {
 
     fn hold(&mut self, settings: &[Setting], time: &Time, at_ms: u64) -> Result<(), Box<Finding>> {
         let until_ms = at_ms.saturating_add(self.positive(time)?);
-        for setting in settings {
-            let (signal, before) = self.set(setting, at_ms)?;
-            self.drive(&setting.name, signal, before, until_ms)?;
-        }
-        Ok(())
+        settings.iter().try_for_each(|setting| self.setting(setting, at_ms, Some(until_ms)))
     }
 
     fn toggle(&mut self, name: &Name, every: &Time, lasts: &Time, at_ms: u64) -> Result<(), Box<Finding>> {
@@ -302,7 +331,7 @@ impl<'a> Expansion<'a> {
             None => at_ms,
         };
         for condition in checks {
-            let check = Check::new(self.image, condition)?;
+            let check = self.check(condition)?;
             let until_ms = match (within, not_before) {
                 (None, Some(time)) => {
                     return Err(Box::new(
@@ -333,12 +362,17 @@ impl<'a> Expansion<'a> {
             return Err(Box::new(no_scan(time.span, at_ms, until_ms, self.period_ms)));
         }
         for condition in checks {
-            let check = Check::new(self.image, condition)?;
+            let check = self.check(condition)?;
             let text =
                 format!("then {} for {}", condition_text(condition).replacen(" is ", " stays ", 1), time_text(time));
             self.expect(text, condition.span, (at_ms, until_ms), Expected::Stays(check));
         }
         Ok(())
+    }
+
+    fn check(&mut self, condition: &Condition) -> Result<Check, Box<Finding>> {
+        self.at_terminals |= condition.terminal.is_some();
+        Check::new(self.image, self.sites, condition)
     }
 
     /// The end of a span of time that begins at a moment: without a length it is the first scan at or after it.

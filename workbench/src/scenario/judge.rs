@@ -1,10 +1,11 @@
 //! Expectations held against what the controller shows after each scan.
 
 use twinrung_bytecode::channel::Channel;
-use twinrung_controller::{Controller, StopReason};
+use twinrung_controller::StopReason;
 
+use super::play::Stage;
 use super::{Expectation, Expected};
-use crate::signal::{ReadSignal, Value};
+use crate::signal::Value;
 
 /// What has become of one expectation.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,13 +36,13 @@ impl<'a> Judge<'a> {
         Judge { expectations, states: vec![State::Open; expectations.len()], period_ms }
     }
 
-    /// Looks at the controller after the scan that began at `time_ms`.
-    pub fn look<A: Channel, B: Channel>(&mut self, controller: &Controller<A, B>, time_ms: u64) {
+    /// Looks at the controller, and at the terminals, after the scan that began at `time_ms`.
+    pub fn look<A: Channel, B: Channel>(&mut self, stage: &Stage<'_, A, B>, time_ms: u64) {
         for (expectation, state) in self.expectations.iter().zip(&mut self.states) {
             let within = (expectation.from_ms..=expectation.until_ms).contains(&time_ms);
             if *state == State::Open && within {
                 let last = time_ms.saturating_add(self.period_ms) > expectation.until_ms;
-                *state = judged(expectation, controller, time_ms, last);
+                *state = judged(expectation, stage, time_ms, last);
             }
         }
     }
@@ -62,14 +63,14 @@ impl<'a> Judge<'a> {
 
 fn judged<A: Channel, B: Channel>(
     expectation: &Expectation,
-    controller: &Controller<A, B>,
+    stage: &Stage<'_, A, B>,
     time_ms: u64,
     last: bool,
 ) -> State {
     let not_met = |found: String| State::NotMet { at_ms: time_ms, found };
     match &expectation.kind {
         Expected::Reached(check, not_before_ms) => {
-            let value = check.signal.read(controller);
+            let value = stage.value(check.place);
             match (check.holds(value), time_ms < *not_before_ms) {
                 (true, true) => not_met(format!("{} {} too soon", check.name, was(check.shown(value)))),
                 (true, false) => State::Met,
@@ -78,7 +79,7 @@ fn judged<A: Channel, B: Channel>(
             }
         }
         Expected::Stays(check) => {
-            let value = check.signal.read(controller);
+            let value = stage.value(check.place);
             match (check.holds(value), last) {
                 (false, _) => not_met(format!("{} {}", check.name, was(check.shown(value)))),
                 (true, true) => State::Met,
@@ -86,7 +87,7 @@ fn judged<A: Channel, B: Channel>(
             }
         }
         Expected::Never(checks) => {
-            let values: Vec<Value> = checks.iter().map(|check| check.signal.read(controller)).collect();
+            let values: Vec<Value> = checks.iter().map(|check| stage.value(check.place)).collect();
             if checks.iter().zip(&values).all(|(check, value)| check.holds(*value)) {
                 let shown = checks
                     .iter()
@@ -96,7 +97,7 @@ fn judged<A: Channel, B: Channel>(
             }
             if last { State::Met } else { State::Open }
         }
-        Expected::Fault(fault_type, code) => match controller.stopped() {
+        Expected::Fault(fault_type, code) => match stage.controller.stopped() {
             Some(reason) if is_fault(reason, *fault_type, *code) => State::Met,
             Some(reason) if last => {
                 let (fault_type, code) = reason.type_and_code();

@@ -22,6 +22,7 @@ use twinrung_grammar::tree::Span;
 use twinrung_grammar::tree::scenario::Mode;
 
 use crate::signal::Signal;
+use twinrung_plant::Stimulus;
 use value::Check;
 
 /// A scenario with names and values looked up and times counted from power-up.
@@ -37,6 +38,8 @@ pub struct Scenario {
     pub actions: Vec<Action>,
     /// What is expected.
     pub expectations: Vec<Expectation>,
+    /// Whether modules are simulated, and their tags follow their terminals.
+    pub at_terminals: bool,
     /// Time of the last scan in ms.
     pub end_ms: u64,
 }
@@ -64,6 +67,13 @@ pub enum Change {
     },
     /// The mode switch is turned.
     Mode(Mode),
+    /// Something happens at a terminal or to a module, by its position among the simulated ones.
+    Plant {
+        /// Which module.
+        module: usize,
+        /// What.
+        stimulus: Stimulus,
+    },
 }
 
 /// Something that is expected.

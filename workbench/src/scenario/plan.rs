@@ -9,6 +9,10 @@ use super::blocks::{Blocks, Expansion};
 use super::value::Check;
 use super::words::never_text;
 use super::{Expectation, Expected, Scenario};
+use crate::site::{Site, sites};
+
+/// Time of a scenario in which modules are simulated, ms: a day takes about a minute.
+const AT_TERMINALS_MS_MAX: u64 = 24 * 3_600_000;
 
 /// What a scenario file asks for.
 #[derive(Debug, Default)]
@@ -37,6 +41,7 @@ pub fn plan(image: &AdmittedImage, file: &ScenarioFile) -> (Plan, Vec<Finding>) 
     let mut findings = Vec::new();
     let mut plan = Plan::default();
     let blocks = Blocks::new(file, &mut findings);
+    let sites = sites(image);
     let mut everywhere: Vec<&Never> = Vec::new();
     for item in &file.items {
         match item {
@@ -47,7 +52,7 @@ pub fn plan(image: &AdmittedImage, file: &ScenarioFile) -> (Plan, Vec<Finding>) 
         }
     }
     for block in blocks.all().filter(|block| block.kind == BlockKind::Scenario) {
-        if let Some(scenario) = scenario(image, &blocks, block, &everywhere, &mut findings) {
+        if let Some(scenario) = scenario((image, &sites), &blocks, block, &everywhere, &mut findings) {
             plan.scenarios.push(scenario);
         }
     }
@@ -79,19 +84,31 @@ fn exclude(plan: &mut Plan, item: &Text, reason: &Text, findings: &mut Vec<Findi
 }
 
 fn scenario(
-    image: &AdmittedImage,
+    (image, sites): (&AdmittedImage, &[Site]),
     blocks: &Blocks<'_>,
     block: &Block,
     everywhere: &[&Never],
     findings: &mut Vec<Finding>,
 ) -> Option<Scenario> {
     let before = findings.len();
-    let mut expansion = Expansion::new(image, blocks, findings);
+    let mut expansion = Expansion::new(image, sites, blocks, findings);
     expansion.block(block);
+    // What holds in every scenario is no reason to play one at its terminals.
+    let at_terminals = expansion.at_terminals;
+    let both = expansion.tags_and_terminals();
     let Expansion { power_up, mut actions, mut expectations, end_ms, acts_until_ms, .. } = expansion;
+    findings.extend(both);
     let end_ms = end_ms.max(acts_until_ms);
+    if at_terminals && end_ms > AT_TERMINALS_MS_MAX {
+        let message = "a scenario at terminals lasts at most 24 hours, since each ms of it is simulated";
+        findings.push(Finding::new(&SCENARIO_TIME, block.name.span, message));
+    }
     for never in everywhere {
-        match nevers(image, never) {
+        // A terminal is looked at where the scenario is played at terminals.
+        if !at_terminals && never.conditions.iter().any(|condition| condition.terminal.is_some()) {
+            continue;
+        }
+        match nevers(image, sites, never) {
             Ok(kind) => expectations.push(Expectation {
                 text: never_text(never),
                 span: never.span,
@@ -99,7 +116,7 @@ fn scenario(
                 until_ms: u64::MAX,
                 kind,
             }),
-            Err(finding) => findings.push(finding),
+            Err(finding) => findings.push(*finding),
         }
     }
     if expectations.is_empty() && findings.len() == before {
@@ -122,13 +139,19 @@ fn scenario(
         power_up,
         actions,
         expectations,
+        at_terminals,
         end_ms,
     })
 }
 
 /// `never` with names and values looked up.
-pub(super) fn nevers(image: &AdmittedImage, never: &Never) -> Result<Expected, Finding> {
-    never.conditions.iter().map(|condition| Check::new(image, condition)).collect::<Result<_, _>>().map(Expected::Never)
+pub(super) fn nevers(image: &AdmittedImage, sites: &[Site], never: &Never) -> Result<Expected, Box<Finding>> {
+    never
+        .conditions
+        .iter()
+        .map(|condition| Check::new(image, sites, condition))
+        .collect::<Result<_, _>>()
+        .map(Expected::Never)
 }
 
 /// A time that no scan has.

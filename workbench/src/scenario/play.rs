@@ -8,13 +8,16 @@ use twinrung_bytecode::{AdmittedImage, CellRange};
 use twinrung_controller::{Controller, Mode, ScanReport, StopReason};
 use twinrung_grammar::tree::Span;
 use twinrung_grammar::tree::scenario::Mode as Switch;
+use twinrung_plant::Plant;
 
 use super::judge::{Judge, State};
+use super::value::Place;
 use super::{Change, Scenario};
 use crate::RunError;
 use crate::coverage::{Coverage, Watch};
 use crate::drive::cells;
-use crate::signal::Signal;
+use crate::signal::{ReadSignal, Signal, Value};
+use crate::site::{Site, plant, sites};
 
 /// What came of a scenario.
 #[derive(Debug, Clone)]
@@ -58,6 +61,9 @@ pub(super) struct Stage<'s, A: Channel, B: Channel> {
     bits: Vec<bool>,
     words: Vec<i32>,
     next: usize,
+    /// The simulated modules, where the scenario is played at their terminals.
+    sites: Vec<Site>,
+    plant: Plant,
     /// The period in ms.
     pub period_ms: u64,
 }
@@ -83,6 +89,7 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
                 frozen.push(range);
             }
         }
+        let sites = if scenario.at_terminals { sites(image) } else { Vec::new() };
         let records = image.image();
         Ok(Stage {
             controller,
@@ -91,6 +98,8 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
             bits: records.initial_bits.iter().map(|bit| *bit == 1).collect(),
             words: records.initial_words.clone(),
             next: 0,
+            plant: plant(&sites),
+            sites,
             period_ms: u64::from(period_us / 1000),
         })
     }
@@ -105,13 +114,54 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
                     self.controller.request_mode(mode);
                 }
                 Change::Drive { signal, content, .. } => self.drive(signal, content),
+                Change::Plant { module, stimulus } => self.plant.apply(module, &stimulus, action.at_ms),
             }
         }
+        self.follow_terminals(time_ms);
         watch.freeze(&self.frozen, &self.bits, &self.words);
         let mut clock = crate::coverage::Begins(scanning);
         let report = self.controller.scan_observed(time_ms as i64, &mut clock, watch, &mut Silent);
         watch.scanned(&self.controller, report.executed);
+        self.command_modules();
         report
+    }
+
+    /// The tags of simulated modules get what arrived from them up to a time in ms.
+    fn follow_terminals(&mut self, time_ms: u64) {
+        if self.sites.is_empty() {
+            return;
+        }
+        self.plant.through(time_ms);
+        let sites = std::mem::take(&mut self.sites);
+        for (position, site) in sites.iter().enumerate() {
+            let values: Vec<i32> =
+                self.plant.stations().get(position).map_or_else(Vec::new, |one| one.values().collect());
+            for ((_, signal), content) in site.inputs.iter().zip(values) {
+                self.drive(*signal, content);
+            }
+        }
+        self.sites = sites;
+    }
+
+    /// Simulated modules get what the scan has published: an output connection carries a packet for each period.
+    fn command_modules(&mut self) {
+        let Stage { sites, plant, controller, .. } = self;
+        for (position, site) in sites.iter().enumerate() {
+            if let Some(station) = plant.station_mut(position).filter(|_| !site.outputs.is_empty()) {
+                station.receive(site.outputs.iter().map(|signal| signal.read(controller).is_true()));
+            }
+        }
+    }
+
+    /// What is looked at.
+    pub fn value(&self, place: Place) -> Value {
+        match place {
+            Place::Signal(signal) => signal.read(&self.controller),
+            Place::Terminal(position, terminal) => {
+                let station = self.plant.stations().get(position);
+                Value::Bool(station.and_then(|station| station.is_high(terminal)).unwrap_or_default())
+            }
+        }
     }
 
     fn drive(&mut self, signal: Signal, content: i32) {
@@ -159,7 +209,7 @@ pub fn play<A: Channel, B: Channel>(
         if let (Some(reason), None) = (report.stopped, stopped) {
             stopped = Some((time_ms, reason));
         }
-        judge.look(&stage.controller, time_ms);
+        judge.look(&stage, time_ms);
         scans += 1;
         time_ms += stage.period_ms;
     }

@@ -3,10 +3,14 @@
 use twinrung_bytecode::AdmittedImage;
 use twinrung_catalog::Element;
 use twinrung_compiler::diagnostic::{Finding, SCENARIO_NAME, SCENARIO_VALUE};
-use twinrung_grammar::tree::scenario::{Condition, Literal, Relation};
+use twinrung_grammar::tree::scenario::{self, Condition, Literal, Relation};
+use twinrung_plant::Terminal;
 
 use crate::names;
 use crate::signal::{Signal, Value};
+use crate::site::Site;
+
+use super::blocks::terminals;
 
 /// Something to look at after a scan, and what it should be.
 #[derive(Debug, Clone)]
@@ -14,15 +18,44 @@ pub struct Check {
     /// Its name as written.
     pub name: String,
     /// Where it is.
-    pub signal: Signal,
+    pub place: Place,
     relation: Relation,
     wanted: Value,
     tolerance: f32,
 }
 
+/// Where something is that is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// In the controller.
+    Signal(Signal),
+    /// At a terminal of a module, by its position: whether 24 V stand there.
+    Terminal(usize, Terminal),
+}
+
 impl Check {
     /// Looks a condition up. What a module or another controller receives is looked at as it is published.
-    pub(super) fn new(image: &AdmittedImage, condition: &Condition) -> Result<Check, Finding> {
+    pub(super) fn new(image: &AdmittedImage, sites: &[Site], condition: &Condition) -> Result<Check, Box<Finding>> {
+        match &condition.terminal {
+            Some(place) => Check::at_terminal(sites, place, condition),
+            None => Check::of_signal(image, condition).map_err(Box::new),
+        }
+    }
+
+    fn at_terminal(sites: &[Site], place: &scenario::Terminal, condition: &Condition) -> Result<Check, Box<Finding>> {
+        let (position, station) = terminals::module(sites, &place.module)?;
+        let terminal = terminals::terminal(&station, &place.text, place.span)?;
+        let name = condition.name.as_str();
+        Ok(Check {
+            name: name.to_owned(),
+            place: Place::Terminal(position, terminal),
+            relation: condition.relation,
+            wanted: value(name, &condition.value, Element::Bool)?,
+            tolerance: 0.0,
+        })
+    }
+
+    fn of_signal(image: &AdmittedImage, condition: &Condition) -> Result<Check, Finding> {
         let name = condition.name.as_str();
         let signal = names::signal(image, name)
             .map_err(|error| Finding::new(&SCENARIO_NAME, condition.name.span, error.to_string()))?;
@@ -41,7 +74,8 @@ impl Check {
                     .help("give a range: `NAME >= VALUE, NAME <= VALUE`"));
             }
         };
-        Ok(Check { name: name.to_owned(), signal, relation: condition.relation, wanted, tolerance })
+        let place = Place::Signal(signal);
+        Ok(Check { name: name.to_owned(), place, relation: condition.relation, wanted, tolerance })
     }
 
     /// Whether a value is what is wanted. NaN is nothing that can be wanted, and only `is not` holds for it.

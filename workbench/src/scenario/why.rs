@@ -6,14 +6,17 @@ use std::cell::Cell;
 use serde::Serialize;
 use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::Channel;
+use twinrung_plant::Stimulus;
 
 use super::play::{Failure, Stage};
+use super::value::{Check, Place};
 use super::{Change, Scenario};
 use crate::RunError;
 use crate::coverage::{Coverage, RungId, Watch};
 use crate::names;
 use crate::recording::{Recording, Row};
 use crate::signal::{ReadSignal, Signal};
+use crate::site::sites;
 
 /// What a report shows beside a failure.
 #[derive(Debug, Clone)]
@@ -86,10 +89,15 @@ pub fn picture<A: Channel, B: Channel>(
     Ok(Picture { recording: Recording { names, rows }, decision })
 }
 
+/// What was looked at in the controller; a terminal is shown by the tags that follow it.
 fn looked_at(scenario: &Scenario, failure: &Failure) -> Vec<(String, Signal)> {
     let expectation = failure.expectation.and_then(|position| scenario.expectations.get(position));
     let checks = expectation.map_or(&[][..], |expectation| expectation.kind.checks());
-    checks.iter().map(|check| (check.name.clone(), check.signal)).collect()
+    let signal = |check: &Check| match check.place {
+        Place::Signal(signal) => Some((check.name.clone(), signal)),
+        Place::Terminal(..) => None,
+    };
+    checks.iter().filter_map(signal).collect()
 }
 
 /// The rung that wrote the first tag that was looked at.
@@ -143,6 +151,7 @@ fn signals(
     decision: Option<&Decision>,
     looked_at: &[(String, Signal)],
 ) -> Vec<(String, Signal)> {
+    let sites = if scenario.at_terminals { sites(image) } else { Vec::new() };
     let mut found: Vec<(String, Signal)> = Vec::new();
     let mut add = |name: &str, signal: Signal| {
         if found.iter().all(|(other, at)| *at != signal && !other.eq_ignore_ascii_case(name)) {
@@ -150,8 +159,14 @@ fn signals(
         }
     };
     for action in scenario.actions.iter().filter(|action| action.at_ms > 0 && action.at_ms <= failure.at_ms) {
-        if let Change::Drive { name, signal, .. } = &action.change {
-            add(name, *signal);
+        match &action.change {
+            Change::Drive { name, signal, .. } => add(name, *signal),
+            Change::Plant { module, stimulus: Stimulus::Signal(at, _) | Stimulus::Fault(at, _) } => {
+                if let Some((name, signal)) = sites.get(*module).and_then(|site| site.data_of(*at)) {
+                    add(name, *signal);
+                }
+            }
+            Change::Plant { .. } | Change::Mode(_) => {}
         }
     }
     for name in decision.map(|decision| operands(&decision.text)).unwrap_or_default() {

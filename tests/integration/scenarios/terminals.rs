@@ -1,0 +1,107 @@
+//! Scenarios at the terminals of modules: `docs/spec/plant.md`.
+
+use super::support::{failures, refused, report};
+use crate::support::{project_path, text};
+
+fn estop() -> String {
+    text(&project_path("samples/estop-with-contactors/project.rll"))
+}
+
+fn wiring() -> String {
+    text(&project_path("samples/estop-with-contactors/wiring.scenario"))
+}
+
+/// REQ-PLANT-050, REQ-PLANT-052
+#[test]
+fn sample_when_its_wires_go_wrong_then_the_motor_is_off_as_its_scenarios_say() {
+    assert_eq!(failures(&report(&estop(), &wiring())), [] as [String; 0]);
+}
+
+/// One test source for both channels: a cross short is then not found, and a channel that touches 0 V takes the source of both, so
+/// that no discrepancy shows.
+#[test]
+fn sample_when_both_channels_share_a_test_source_then_the_scenarios_of_their_shorts_fail() {
+    let shared = estop().replace("TestSource := T1", "TestSource := T0");
+    let found = report(&shared, &wiring());
+    let failed: Vec<&str> = found.scenarios.iter().filter(|one| !one.passed).map(|one| one.name.as_str()).collect();
+    assert_eq!(failed, ["the channels of the button touch", "a channel of the button touches 0 V"]);
+}
+
+/// Without test pulses a short to 24 V shows when the output is switched off, which is too late.
+#[test]
+fn sample_when_an_output_is_not_pulse_tested_then_the_scenario_of_its_short_fails() {
+    let untested = estop().replace("SAFETY_PULSE_TEST, Channel", "SAFETY, Channel");
+    let found = report(&untested, &wiring());
+    let failed: Vec<&str> = found.scenarios.iter().filter(|one| !one.passed).map(|one| one.name.as_str()).collect();
+    assert_eq!(failed, ["the wire of a contactor touches 24 V"]);
+}
+
+/// What cannot be said of the sample's terminals, and why not.
+const REFUSED: &[(&str, &str)] = &[
+    ("given Field_In terminal 9 is on", "E0507 2: the module has no terminal `9`"),
+    ("given Field_In terminal X0 is on", "E0507 2: the module has no terminal `X0`"),
+    (
+        "given Field_In terminal 6 is on",
+        "E0507 2: the project does not use the terminal I6; set its mode in the module: `POINT I06 (Mode := SAFETY);`",
+    ),
+    ("given Field_In terminal 0 is 12.5", "E0507 2: the device at I0 is on or off; write `is on` or `is off`"),
+    ("given Field_Out terminal 0 is on", "E0507 2: the module switches O0, no device does"),
+    (
+        "given Field_In terminal 0 shorted to 12 V",
+        "E0507 2: a wire is not shorted to 12 V; write `shorted to 24 V`, `shorted to 0 V` or `shorted to terminal 1`",
+    ),
+    ("given Field_In terminal 0 shorted to terminal 0", "E0507 2: the wire at I0 cannot touch itself"),
+    (
+        "given Rack terminal 0 is on",
+        "E0502 2: `Rack` is no module with terminals; modules with terminals here: Field_In, Field_Out",
+    ),
+];
+
+/// REQ-PLANT-051
+#[test]
+fn terminals_when_they_cannot_do_what_is_said_then_it_is_refused_with_a_way_out() {
+    for (line, expected) in REFUSED {
+        let scenario = format!("scenario \"x\"\n{line}\nthen K1 is off\nend\n");
+        assert_eq!(refused(&estop(), &scenario), [*expected], "{line}");
+    }
+}
+
+/// REQ-PLANT-050
+#[test]
+fn tags_when_the_scenario_acts_at_terminals_too_then_driving_them_is_refused() {
+    let scenario = "scenario \"x\"\ngiven Field_In terminal 0 is on\nwhen Reset is on\nthen K1 is off\nend\n";
+    let expected = "E0507 3: `Reset` follows the terminals of Field_In, which this scenario acts on; say what happens at the \
+                    terminal: `when Field_In terminal 0 is on`";
+    assert_eq!(refused(&estop(), scenario), [expected]);
+}
+
+/// A tank with a level sensor, a muting lamp and a lamp button.
+fn tank() -> String {
+    "CONTROLLER T (ProcessorType := \"1756-L73S\", Major := 20)\n\
+     MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE\n\
+     MODULE Tank (CatalogNumber := \"1734-IE4S\", Parent := \"Rack\", Slot := 1, SafetyNetwork := 16#0000_0000_0001_0002, RPI := 10)\n\
+     POINT C0 (Mode := SAFETY, Range := MA_4_20, SensorPower := EXTERNAL, Filter := HZ_50);\nEND_MODULE\n\
+     MODULE Panel (CatalogNumber := \"1734-IB8S\", Parent := \"Rack\", Slot := 2, SafetyNetwork := 16#0000_0000_0001_0002, \
+     RPI := 10, OutputData := \"TEST\")\n\
+     POINT I00 (Mode := SAFETY);\nTEST T1 (Mode := MUTING_LAMP);\nEND_MODULE\n\
+     TAG\nFull : BOOL (Class := Safety);\nEND_TAG\n\
+     PROGRAM P (Class := Safety, MAIN := \"Main\")\nROUTINE Main\n\
+     N: XIC(Tank:I.Ch0InputStatus)GRT(Tank:I.Ch0Data,5000)OTE(Full);\n\
+     N: XIC(Panel:I.Pt00Data)OTE(Panel:O.Test01Data);\n\
+     END_ROUTINE\nEND_PROGRAM\n\
+     TASK S (Type := PERIODIC, Class := Safety, Rate := 20, Watchdog := 10, Priority := 5)\nP;\nEND_TASK\nEND_CONTROLLER\n"
+        .to_owned()
+}
+
+#[test]
+fn sensor_and_lamp_when_they_break_then_the_tags_of_their_modules_follow() {
+    let scenario = "scenario \"x\"\n\
+        given Tank terminal 0 is 12.0, Panel terminal 0 is on\n\
+        then Tank:I.Ch0Data is 5000, Full is off, Panel terminal T1 is on\n\
+        at 1 s\nwhen Tank terminal 0 is 16.0\nthen Full is on within 100 ms\n\
+        at 2 s\nwhen Tank terminal 0 open, Panel terminal T1 open\n\
+        then Tank:I.Ch0InputStatus is off, Full is off within 100 ms\n\
+        then Panel:I.Muting01Status is off not before 2 s within 7020 ms\n\
+        at 10 s\nwhen Panel terminal T1 repaired\nthen Panel:I.Muting01Status is on within 3020 ms\nend\n";
+    assert_eq!(failures(&report(&tank(), scenario)), [] as [String; 0]);
+}
