@@ -12,6 +12,9 @@ use crate::reciprocal;
 type First = Holding<false>;
 type Second = Holding<true>;
 
+/// What is changed in a channel.
+type Change<C> = fn(&mut C);
+
 const COMPLETED: (ScanEnd, ScanEnd) = (ScanEnd::Completed, ScanEnd::Completed);
 
 /// What the two comparisons find when the second of two equal channels is changed.
@@ -33,7 +36,7 @@ fn channels_when_nothing_differs_then_neither_comparison_finds_anything() {
 /// REQ-SCAN-002, REQ-SCAN-013
 #[test]
 fn channels_when_one_thing_differs_alone_then_both_comparisons_find_it() {
-    let changes: [(fn(&mut Second), Difference); 16] = [
+    let changes: [(Change<Second>, Difference); 16] = [
         (|second| second.status.first_scan = true, Difference::Status),
         (|second| second.status.overflow = false, Difference::Status),
         (|second| second.status.zero = true, Difference::Status),
@@ -79,7 +82,7 @@ fn channels_when_the_budget_cut_off_both_then_their_paths_may_differ() {
 /// REQ-SCAN-013. Cells that both channels have lost are missing from the image.
 #[test]
 fn channels_when_both_lack_the_same_cell_then_the_second_comparison_finds_it() {
-    let losses: [(fn(&mut First), fn(&mut Second)); 2] = [
+    let losses: [(Change<First>, Change<Second>); 2] = [
         (|first| first.bits.truncate(CELLS - 1), |second| second.bits.truncate(CELLS - 1)),
         (|first| first.words.truncate(CELLS - 1), |second| second.words.truncate(CELLS - 1)),
     ];
