@@ -82,6 +82,9 @@ pub(crate) enum Slot {
 pub(crate) struct Keeper {
     pub(crate) opcode: Opcode,
     pub(crate) state: State,
+    /// Whether a prescan of the half has run since loading or reset; without one its first execution begins with it
+    /// (REQ-EXEC-061).
+    pub(crate) prescanned: bool,
 }
 
 /// Everything that a scan changes.
@@ -144,7 +147,7 @@ impl Machine {
         for opcode in &loaded.safety_states {
             let state = State::new(*opcode)
                 .ok_or(LoadError::Unsupported("a safety application instruction without library"))?;
-            keepers.push(Keeper { opcode: *opcode, state });
+            keepers.push(Keeper { opcode: *opcode, state, prescanned: false });
         }
         let program = &loaded.program;
         let words = image.initial_words.len().saturating_add(loaded.constants.len());
@@ -207,6 +210,7 @@ impl Machine {
         for keeper in &mut self.keepers {
             if let Some(state) = State::new(keeper.opcode) {
                 keeper.state = state;
+                keeper.prescanned = false;
             }
         }
         self.status = Status::default();
@@ -275,9 +279,9 @@ impl Machine {
         self.jumps.get_mut(first.saturating_add(jump as usize))
     }
 
-    /// The library state of a safety call.
-    pub(crate) fn library(&mut self, state: u32) -> Option<&mut State> {
-        self.keepers.get_mut(state as usize).map(|keeper| &mut keeper.state)
+    /// What a safety call keeps of the library.
+    pub(crate) fn keeper(&mut self, state: u32) -> Option<&mut Keeper> {
+        self.keepers.get_mut(state as usize)
     }
 }
 

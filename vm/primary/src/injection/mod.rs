@@ -207,8 +207,9 @@ impl Machine {
             doubtful,
         } = self;
         visitor.fields(hidden);
-        for Keeper { opcode: _, state } in keepers {
+        for Keeper { opcode: _, state, prescanned } in keepers {
             visitor.part(&mut Library(state));
+            visitor.field(prescanned);
         }
         let Status { first_scan, overflow, zero, negative, carry, minor_fault, minor_faults, executed, cleared_faults } =
             status;

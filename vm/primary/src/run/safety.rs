@@ -5,6 +5,7 @@ use twinrung_bytecode::observer::Observer;
 use twinrung_catalog::{Element, Instruction as Declaration, Member, MemberRole};
 
 use super::{FaultCode, Run};
+use crate::machine::Keeper;
 use crate::number::{Number, stored_real};
 use crate::program::{Instruction, SafetyCall};
 
@@ -49,12 +50,15 @@ impl<O: Observer> Run<'_, O> {
             }
         }
         let now = self.inputs.now_ms;
-        if let (Some(state), Some(operands), Some(members)) =
-            (self.machine.library(call.state), operands.get(..count), members.get_mut(..total))
+        if let (Some(Keeper { state, prescanned, .. }), Some(operands), Some(members)) =
+            (self.machine.keeper(call.state), operands.get(..count), members.get_mut(..total))
         {
-            if prescan {
+            // What no prescan has reached begins as if one just had.
+            if prescan || !*prescanned {
                 state.prescan(operands, members);
-            } else {
+                *prescanned = true;
+            }
+            if !prescan {
                 state.scan(input, now, operands, members);
             }
         }

@@ -13,4 +13,5 @@ mod numbers;
 mod path;
 mod random;
 mod rig;
+mod safety;
 mod upsets;
