@@ -4,7 +4,7 @@
 use twinrung_catalog::instructions::system::{ATTRIBUTES, Attribute};
 use twinrung_catalog::{Access, Element, Instruction, Opcode, OperandKind};
 
-use super::data::{Kind, Part, Place, Role};
+use super::data::{Kind, Place, Role};
 use super::literals;
 use super::writer::{Named, Subroutine, Writer};
 
@@ -62,7 +62,6 @@ impl Writer<'_> {
                     place.kind.is_structure()
                         && !place.is_array()
                         && place.writable
-                        && !is_alias(place)
                         && !off_timers.contains(&place.base)
                 };
                 let named = self.place(fits)?;
@@ -293,18 +292,9 @@ impl Writer<'_> {
                 _ => {}
             }
         }
-        self.place(|place| {
-            let whole = matches!(kind, Kind::Element(_)) || !is_alias(place);
-            place.kind == kind && !place.is_array() && (place.writable || !writes) && whole
-        })
-        .map(|named| named.text)
+        self.place(|place| place.kind == kind && !place.is_array() && (place.writable || !writes))
+            .map(|named| named.text)
     }
-}
-
-/// Whether a place is reached through another name. Structures that are reset or passed are not: the channels do not agree yet
-/// on which element such a name then means.
-fn is_alias(place: &Place) -> bool {
-    !matches!(place.parts.first(), Some(Part::Text(name)) if *name == place.base)
 }
 
 /// Bytes of one element, where GSV and SSV take such data.

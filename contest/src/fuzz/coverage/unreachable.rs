@@ -29,10 +29,6 @@ pub static UNREACHABLE: &[Unreachable] = &[
         reason: "AFI makes every rung false",
     },
     Unreachable {
-        covers: |opcode, what, _| opcode == Opcode::Res && form(what) == Some(Form::Alias),
-        reason: "not generated until the channels agree on which element RES of an alias of an element means",
-    },
-    Unreachable {
         covers: |opcode, what, kind| {
             opcode.instruction().safety.is_some()
                 && matches!(kind, Some(OperandKind::Structure(..)))
