@@ -303,7 +303,6 @@ fn writer<'w>(random: &'w mut Random, shared: &'w Shared, outer: &'w Names, own:
         instances: Vec::new(),
         scope: None,
         actors: Vec::new(),
-        guards: true,
         passed_backings: Vec::new(),
         control: None,
     }
@@ -499,7 +498,6 @@ fn add_on(random: &mut Random, shared: &mut Shared, number: usize) -> String {
     let mut writer = writer(random, shared, &hidden, &mut own);
     writer.in_add_on = true;
     let mut routines = vec![("Logic", writer.rungs(counts[0]))];
-    writer.guards = false;
     if in_false {
         routines.push(("EnableInFalse", writer.rungs(counts[1])));
     }

@@ -20,8 +20,8 @@ impl Writer<'_> {
                     rungs.push(rung);
                 }
                 4 => rungs.extend(self.raised_fault()),
-                5..=12 if self.guards => self.guard(&mut rungs),
-                13..=20 if self.guards && self.in_add_on => self.guard(&mut rungs),
+                5..=12 => self.guard(&mut rungs),
+                13..=20 if self.in_add_on => self.guard(&mut rungs),
                 _ => {
                     let rung = self.labelled_rung();
                     rungs.push(rung);
@@ -142,9 +142,6 @@ impl Writer<'_> {
     fn add_on_call(&mut self) -> Option<String> {
         let which = self.random.below(self.shared.add_ons.len());
         let add_on = &self.shared.add_ons[which];
-        if add_on.guards && !self.guards {
-            return None;
-        }
         let again = !add_on.guards;
         let known: Vec<String> =
             self.instances.iter().filter(|(one, _)| *one == which).map(|(_, name)| name.clone()).collect();

@@ -137,9 +137,6 @@ pub struct Writer<'w> {
     pub instances: Vec<(usize, String)>,
     /// What stands before a name of `own` for somebody outside; nothing where its tags cannot be driven.
     pub scope: Option<String>,
-    /// Whether safety instructions are called: not in a routine that a prescan does not reach, until the muting instructions of
-    /// both channels begin there as after a prescan.
-    pub guards: bool,
     /// InOut parameters that back a call already.
     pub passed_backings: Vec<String>,
     /// Calls whose operands the stimulus moves together.
