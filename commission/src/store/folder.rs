@@ -17,7 +17,7 @@ const LOCK: &str = "in-use";
 pub struct FolderStorage {
     folder: PathBuf,
     temporary: Option<File>,
-    _in_use: File,
+    in_use: File,
 }
 
 impl FolderStorage {
@@ -34,11 +34,19 @@ impl FolderStorage {
             }
             fs::TryLockError::Error(error) => error,
         })?;
-        Ok(FolderStorage { folder: folder.to_owned(), temporary: None, _in_use: in_use })
+        Ok(FolderStorage { folder: folder.to_owned(), temporary: None, in_use })
     }
 
     fn temporary(&mut self) -> io::Result<&mut File> {
         self.temporary.as_mut().ok_or_else(|| io::Error::other("there is no temporary file"))
+    }
+}
+
+impl Drop for FolderStorage {
+    /// Closing the file is not enough: a process that is being started holds a copy of it for a moment.
+    fn drop(&mut self) {
+        // Where this fails, closing the file is what is left.
+        let _ = self.in_use.unlock();
     }
 }
 
@@ -86,4 +94,20 @@ pub fn sync(folder: &Path) -> io::Result<()> {
 #[cfg(not(unix))]
 pub fn sync(_folder: &Path) -> io::Result<()> {
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FolderStorage;
+
+    /// A process that is being started holds copies of all open files until its program is there.
+    #[test]
+    fn folder_when_dropped_while_a_copy_of_its_lock_is_open_then_the_next_command_has_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let storage = FolderStorage::open(folder.path()).unwrap();
+        let copy = storage.in_use.try_clone().unwrap();
+        drop(storage);
+        assert!(FolderStorage::open(folder.path()).is_ok());
+        drop(copy);
+    }
 }

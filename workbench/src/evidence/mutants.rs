@@ -67,6 +67,14 @@ pub struct Survivor {
     pub why: String,
 }
 
+impl Survivor {
+    /// Whether somebody has said why nothing has to notice it; a reason that begins with "open" says that nobody has.
+    pub fn is_argued(&self) -> bool {
+        let why = self.why.trim();
+        !why.is_empty() && !why.get(..4).is_some_and(|word| word.eq_ignore_ascii_case("open"))
+    }
+}
+
 /// The score of a crate.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MutationScore {
@@ -162,7 +170,7 @@ pub(super) fn value(scores: &[MutationScore], figure: &str) -> Option<f64> {
 impl MutationScore {
     /// Survivors that nobody has argued.
     fn without_a_reason(&self) -> u64 {
-        let argued = self.survivors.iter().filter(|survivor| !survivor.why.trim().is_empty()).count() as u64;
+        let argued = self.survivors.iter().filter(|survivor| survivor.is_argued()).count() as u64;
         self.run.missed.saturating_sub(argued)
     }
 }

@@ -45,8 +45,11 @@ pub(super) fn write(out: &mut String, scores: &[MutationScore]) {
         html::paragraph(out, &format!("{}. Made again by:", recorded(Some(&run.tool))));
         html::commands(out, [recorded(Some(&run.command)).as_str()]);
         let survivors = score.survivors.iter().map(|survivor| {
-            let why = survivor.why.trim();
-            let why = if why.is_empty() { Cell::Not("no reason given".to_owned()) } else { Cell::text(why) };
+            let why = match survivor.why.trim() {
+                "" => Cell::Not("no reason given".to_owned()),
+                why if survivor.is_argued() => Cell::text(why),
+                why => Cell::Not(why.to_owned()),
+            };
             vec![Cell::Code(survivor.mutant.clone()), why]
         });
         html::table(out, &["mutant that no test notices", "why nothing has to"], survivors);
