@@ -2,74 +2,25 @@
 
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
-use tempfile::TempDir;
-
-use crate::command::{Said, twinrung};
+use crate::cell::Cell;
 use crate::support::{project_path, text};
 
 const SAMPLE: &str = "samples/estop-with-contactors";
 const CLOCK: &str = "2026-11-22T18:00:00Z";
 
-/// A controller in a folder of its own.
-struct Cell {
-    home: TempDir,
+/// With the sample downloaded.
+fn with_sample() -> Cell {
+    let cell = Cell::new();
+    cell.done("download samples/estop-with-contactors");
+    cell
 }
 
-impl Cell {
-    /// Without anything.
-    fn new() -> Cell {
-        Cell { home: tempfile::tempdir().unwrap() }
-    }
-
-    /// With the sample downloaded.
-    fn with_sample() -> Cell {
-        let cell = Cell::new();
-        cell.done("download samples/estop-with-contactors");
-        cell
-    }
-
-    /// With a project of these rungs, which use these tags.
-    fn with_rungs(tags: &str, rungs: &[&str]) -> Cell {
-        let cell = Cell::new();
-        fs::write(cell.path("project.rll"), project("Faulty", tags, rungs)).unwrap();
-        cell.done(&format!("download {}", cell.path("project.rll").display()));
-        cell
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.home.path().join(name)
-    }
-
-    fn folder(&self) -> String {
-        self.path("cell").display().to_string()
-    }
-
-    fn ask(&self, action: &str) -> Said {
-        let folder = self.folder();
-        let arguments: Vec<&str> = ["controller", &folder].into_iter().chain(action.split_whitespace()).collect();
-        twinrung(&arguments)
-    }
-
-    /// Asks for what is permitted.
-    fn done(&self, action: &str) -> String {
-        let said = self.ask(action);
-        assert_eq!(said.code, Some(0), "{action}: {}{}", said.out, said.err);
-        said.out
-    }
-
-    /// Asks for what is refused; with the number of the reason.
-    fn refused(&self, action: &str, code: &str) {
-        let said = self.ask(action);
-        assert_eq!(said.code, Some(1), "{action}: {}{}", said.out, said.err);
-        assert!(said.out.contains(&format!("\n  {code}: ")), "{action}: {}", said.out);
-    }
-
-    fn status(&self) -> serde_json::Value {
-        serde_json::from_str(&self.done("status --format json")).unwrap()
-    }
+/// With a project of these rungs, which use these tags.
+fn with_rungs(tags: &str, rungs: &[&str]) -> Cell {
+    Cell::with_project(&project("Faulty", tags, rungs))
 }
 
 fn project(name: &str, tags: &str, rungs: &[&str]) -> String {
@@ -125,7 +76,7 @@ fn project_when_commissioned_in_the_manual_s_order_then_it_ends_locked_with_a_re
 /// REQ-SIGN-004. Compare after every download: the same project from another form of it, and another project.
 #[test]
 fn download_when_repeated_from_the_export_then_the_signature_stays_and_another_project_is_refused_while_locked() {
-    let cell = Cell::with_sample();
+    let cell = with_sample();
     cell.done(&format!("generate --clock {CLOCK}"));
     cell.done("lock");
     let said = cell.done(&format!("download {SAMPLE}/project.L5X"));
@@ -145,7 +96,7 @@ fn download_when_repeated_from_the_export_then_the_signature_stays_and_another_p
 /// REQ-MODE-009
 #[test]
 fn mode_when_changed_then_it_takes_more_than_one_period_and_less_than_two() {
-    let cell = Cell::with_sample();
+    let cell = with_sample();
     assert!(cell.done("mode run --at 1").contains("Run mode 39.000 ms after it was asked for"));
     assert!(cell.done("mode program --at 19").contains("Program mode 21.000 ms after it was asked for"));
     assert_eq!(cell.ask("mode run --at 20").code, Some(2));
@@ -155,7 +106,7 @@ fn mode_when_changed_then_it_takes_more_than_one_period_and_less_than_two() {
 /// REQ-MODE-009
 #[test]
 fn scans_when_the_controller_is_in_program_mode_then_outputs_are_off() {
-    let cell = Cell::with_sample();
+    let cell = with_sample();
     let recording = cell.path("recording.csv");
     cell.done(&format!(
         "run --quiet --stimulus {SAMPLE}/stimulus.csv --record Published:K1,Controller:Mode --out {}",
@@ -168,8 +119,7 @@ fn scans_when_the_controller_is_in_program_mode_then_outputs_are_off() {
 /// REQ-MODE-011. A force acts in the scans, on what comes in and on what goes out, and is what the logic sees.
 #[test]
 fn force_when_installed_then_scans_have_it_until_it_is_disabled_and_only_connected_data_takes_one() {
-    let cell =
-        Cell::with_rungs("", &["XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)", "XIC(Doors:I.Pt01Data)OTE(Spare)"]);
+    let cell = with_rungs("", &["XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)", "XIC(Doors:I.Pt01Data)OTE(Spare)"]);
     cell.done("mode run");
     let record = |name: &str| {
         let path = cell.path(name);
@@ -197,7 +147,7 @@ fn force_when_installed_then_scans_have_it_until_it_is_disabled_and_only_connect
 /// REQ-MODE-012. 1756-RM093 Table 9: faulted, data zero.
 #[test]
 fn module_when_inhibited_then_its_connection_is_faulted_its_data_0_and_its_outputs_off() {
-    let cell = Cell::with_rungs("", &["XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)"]);
+    let cell = with_rungs("", &["XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)"]);
     let stimulus = write(&cell.path("s.csv"), "time_ms,Doors:I.Pt00Data,Doors:I.RunMode\n0,1,1\n");
     cell.done("mode run");
     let record = |name: &str| {
@@ -219,7 +169,7 @@ fn module_when_inhibited_then_its_connection_is_faulted_its_data_0_and_its_outpu
 /// REQ-MODE-010. A stimulus that writes safety data is data manipulation.
 #[test]
 fn stimulus_when_it_drives_safety_data_that_is_no_input_then_lock_and_signature_refuse_it() {
-    let cell = Cell::with_rungs("", &["XIC(Spare)OTE(Drives:O.Pt00Data)"]);
+    let cell = with_rungs("", &["XIC(Spare)OTE(Drives:O.Pt00Data)"]);
     let inputs = write(&cell.path("inputs.csv"), "time_ms,Doors:I.Pt00Data\n0,1\n");
     let data = write(&cell.path("data.csv"), "time_ms,Spare\n0,1\n");
     cell.done(&format!("run --quiet --stimulus {data}"));
@@ -234,7 +184,7 @@ fn stimulus_when_it_drives_safety_data_that_is_no_input_then_lock_and_signature_
 /// REQ-MODE-004. Passwords come from a file or the standard input.
 #[test]
 fn lock_when_passwords_are_set_then_files_and_the_standard_input_give_them() {
-    let cell = Cell::with_sample();
+    let cell = with_sample();
     let (shut, open) = (write(&cell.path("shut"), "shut\n"), write(&cell.path("open"), "open\r\n"));
     cell.done(&format!("password lock --new {shut}"));
     cell.done(&format!("password unlock --new {open}"));
@@ -256,7 +206,7 @@ fn lock_when_passwords_are_set_then_files_and_the_standard_input_give_them() {
 /// REQ-SIGN-005
 #[test]
 fn card_when_loaded_into_another_controller_then_it_has_application_signature_and_lock_of_the_first() {
-    let first = Cell::with_sample();
+    let first = with_sample();
     first.done(&format!("generate --clock {CLOCK}"));
     first.done("lock");
     let card = first.path("card").display().to_string();
@@ -280,7 +230,7 @@ fn card_when_loaded_into_another_controller_then_it_has_application_signature_an
 #[test]
 fn recoverable_fault_when_no_fault_routine_handles_it_then_the_controller_has_it_until_it_is_cleared() {
     let tags = "    A : DINT[4] (Class := Safety);\n    N, D : DINT (Class := Safety);\n";
-    let cell = Cell::with_rungs(tags, &["XIC(Doors:I.Pt00Data)MOV(10,N)", "MOV(A[N],D)"]);
+    let cell = with_rungs(tags, &["XIC(Doors:I.Pt00Data)MOV(10,N)", "MOV(A[N],D)"]);
     let stimulus = write(&cell.path("s.csv"), "time_ms,Doors:I.Pt00Data\n0,0\n40,1\n");
     cell.done("mode run");
     let run = format!("run --quiet --stimulus {stimulus}");
@@ -300,7 +250,7 @@ fn recoverable_fault_when_no_fault_routine_handles_it_then_the_controller_has_it
 /// REQ-KEEP-003. What the command does not do leaves no trace, and a damaged record is said to be one.
 #[test]
 fn state_when_an_action_is_refused_or_a_record_is_damaged_then_the_kept_one_is_used_and_said() {
-    let cell = Cell::with_sample();
+    let cell = with_sample();
     let before = cell.status();
     cell.refused("unlock", "P34");
     cell.refused("forces enable", "P42");

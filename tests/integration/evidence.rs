@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use twinrung_defects::{Conditions, Measured, Times};
-use twinrung_workbench::evidence::{Evidence, File, Sources};
+use twinrung_workbench::evidence::{Conditions, Evidence, File, Measured, Sources, Times};
 use twinrung_workbench::inject::Recorded;
 
 use crate::command::twinrung;

@@ -4,6 +4,7 @@ mod bench;
 mod bench_command;
 mod bench_mixes;
 mod bound;
+mod cell;
 mod certified_set;
 mod channel_bits;
 mod checklists;

@@ -1,11 +1,8 @@
 //! Online edits of safety routines: what may be changed, how an edit goes on, and what a scan boundary keeps.
 
 use std::fs;
-use std::path::PathBuf;
 
-use tempfile::TempDir;
-
-use crate::command::{Said, twinrung};
+use crate::cell::Cell;
 use crate::support::project_path;
 
 const DECLARATIONS: &str = "  MODULE Rack (CatalogNumber := \"1734-AENT\", Parent := \"Local\", IPAddress := \"192.168.1.10\") END_MODULE
@@ -41,61 +38,27 @@ END_CONTROLLER
 const BEFORE: &str = "XIC(Doors:I.Pt00Data)OTE(Drives:O.Pt00Data)";
 const AFTER: &str = "XIC(Doors:I.Pt00Data)XIC(Doors:I.Pt01Data)OTE(Drives:O.Pt00Data)";
 
-/// A controller in a folder with the project downloaded.
-struct Cell {
-    home: TempDir,
+/// With the project downloaded, and the changed one beside it.
+fn with_project() -> Cell {
+    let cell = Cell::with_project(&project(BEFORE));
+    cell.write("changed.rll", &project(AFTER));
+    cell
 }
 
-impl Cell {
-    fn new() -> Cell {
-        let cell = Cell { home: tempfile::tempdir().unwrap() };
-        cell.write("project.rll", &project(BEFORE));
-        cell.write("changed.rll", &project(AFTER));
-        cell.done(&format!("download {}", cell.path("project.rll").display()));
-        cell
-    }
+/// The words that begin an edit to a text.
+fn begin(cell: &Cell, text: &str) -> String {
+    cell.write("edit.rll", text);
+    format!("edit begin {}", cell.path("edit.rll").display())
+}
 
-    fn path(&self, name: &str) -> PathBuf {
-        self.home.path().join(name)
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        fs::write(self.path(name), text).unwrap();
-    }
-
-    fn ask(&self, action: &str) -> Said {
-        let folder = self.path("cell").display().to_string();
-        let arguments: Vec<&str> = ["controller", &folder].into_iter().chain(action.split_whitespace()).collect();
-        twinrung(&arguments)
-    }
-
-    fn done(&self, action: &str) -> String {
-        let said = self.ask(action);
-        assert_eq!(said.code, Some(0), "{action}: {}{}", said.out, said.err);
-        said.out
-    }
-
-    fn refused(&self, action: &str, words: &str) {
-        let said = self.ask(action);
-        assert_eq!(said.code, Some(1), "{action}: {}{}", said.out, said.err);
-        assert!(said.out.contains(words), "{action}: {}", said.out);
-    }
-
-    fn begin(&self, text: &str) -> String {
-        self.write("edit.rll", text);
-        format!("edit begin {}", self.path("edit.rll").display())
-    }
-
-    fn stage(&self) -> serde_json::Value {
-        let status: serde_json::Value = serde_json::from_str(&self.done("status --format json")).unwrap();
-        status["online_edit"].clone()
-    }
+fn stage(cell: &Cell) -> serde_json::Value {
+    cell.status()["online_edit"].clone()
 }
 
 /// REQ-EDIT-001. From a changed rung to the program.
 #[test]
 fn edit_when_each_step_is_taken_then_the_program_is_the_changed_one() {
-    let cell = Cell::new();
+    let cell = with_project();
     let changed = cell.path("changed.rll").display().to_string();
     assert!(cell.done(&format!("edit begin {changed}")).contains("changes Safety_Main/Main"));
     cell.refused("edit test", "P54");
@@ -107,14 +70,14 @@ fn edit_when_each_step_is_taken_then_the_program_is_the_changed_one() {
     cell.done("edit untest");
     cell.done("edit test");
     cell.done("edit assemble");
-    assert_eq!(cell.stage(), serde_json::Value::Null);
+    assert_eq!(stage(&cell), serde_json::Value::Null);
     assert!(cell.done(&format!("compare {changed}")).contains("they are the same application"));
 }
 
 /// REQ-EDIT-001.
 #[test]
 fn edit_when_it_is_cancelled_then_the_program_is_what_it_was() {
-    let cell = Cell::new();
+    let cell = with_project();
     cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
     cell.done("edit accept");
     cell.done("edit cancel");
@@ -126,7 +89,7 @@ fn edit_when_it_is_cancelled_then_the_program_is_what_it_was() {
 /// REQ-EDIT-001. 1756-RM093 Online Editing: they may exist when the application is locked, and are neither assembled nor cancelled.
 #[test]
 fn edit_when_the_controller_is_locked_or_signed_then_it_stays_as_it_is() {
-    let cell = Cell::new();
+    let cell = with_project();
     let begin = format!("edit begin {}", cell.path("changed.rll").display());
     cell.done(&begin);
     cell.done("edit accept");
@@ -142,7 +105,7 @@ fn edit_when_the_controller_is_locked_or_signed_then_it_stays_as_it_is() {
 /// REQ-EDIT-002.
 #[test]
 fn edit_when_something_else_than_rungs_changes_then_it_is_refused_with_what_it_is() {
-    let cell = Cell::new();
+    let cell = with_project();
     let before = project(BEFORE);
     let others = [
         (before.replace("Latched : BOOL", "Latched, More : BOOL"), "tags"),
@@ -151,27 +114,27 @@ fn edit_when_something_else_than_rungs_changes_then_it_is_refused_with_what_it_i
         (before.clone(), "no rung of a safety routine differs"),
     ];
     for (text, words) in others {
-        cell.refused(&cell.begin(&text), words);
+        cell.refused(&begin(&cell, &text), words);
     }
-    assert_eq!(cell.stage(), serde_json::Value::Null);
+    assert_eq!(stage(&cell), serde_json::Value::Null);
 }
 
 /// REQ-EDIT-002. dual-channel-inputs.md 1.2: configuration takes effect with a change from Program to Run.
 #[test]
 fn edit_when_it_changes_a_safety_application_instruction_then_it_is_refused() {
     let sample = fs::read_to_string(project_path("samples/estop-with-contactors/project.rll")).unwrap();
-    let cell = Cell { home: tempfile::tempdir().unwrap() };
+    let cell = Cell::new();
     cell.write("sample.rll", &sample);
     cell.done(&format!("download {}", cell.path("sample.rll").display()));
     let changed = sample.replace(",500,", ",600,");
     assert_ne!(changed, sample);
-    cell.refused(&cell.begin(&changed), "changes no safety application instruction");
+    cell.refused(&begin(&cell, &changed), "changes no safety application instruction");
 }
 
 /// REQ-EDIT-003. Before, while and after it is tested.
 #[test]
 fn run_when_an_edit_is_accepted_tested_and_untested_then_the_rungs_of_its_stage_execute() {
-    let cell = Cell::new();
+    let cell = with_project();
     cell.done("mode run");
     cell.write("stimulus.csv", "time_ms,Doors:I.Pt00Data\n0,1\n");
     cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
@@ -192,7 +155,7 @@ fn run_when_an_edit_is_accepted_tested_and_untested_then_the_rungs_of_its_stage_
 /// REQ-EDIT-003. Values, timers and latches go on; the changed rung executes from the scan boundary on, and back again.
 #[test]
 fn tags_when_an_edit_is_tested_and_untested_in_a_run_then_they_go_on_and_only_the_rung_changes() {
-    let cell = Cell::new();
+    let cell = with_project();
     cell.done("mode run");
     cell.write("stimulus.csv", "time_ms,Doors:I.Pt00Data\n0,1\n");
     cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
@@ -218,9 +181,9 @@ fn tags_when_an_edit_is_tested_and_untested_in_a_run_then_they_go_on_and_only_th
 90,10,90,1,1
 ";
     assert_eq!(fs::read_to_string(&out).unwrap(), expected);
-    assert_eq!(cell.stage(), "accepted: the original rungs execute");
+    assert_eq!(stage(&cell), "accepted: the original rungs execute");
     cell.done(&format!("{run} --test-edits 45"));
-    assert_eq!(cell.stage(), "tested: the changed rungs execute");
+    assert_eq!(stage(&cell), "tested: the changed rungs execute");
 }
 
 /// REQ-EDIT-003. A sample with safety application instructions: while the changed rungs do the same as the original ones, the
@@ -233,7 +196,7 @@ fn sample_when_an_edit_that_changes_nothing_is_tested_then_its_recording_is_the_
     let same = rung.replacen("N: XIC(", "N: XIO(Always_Off_Here)XIC(", 1);
     let declared = |text: &str| text.replacen("  TAG\n", "  TAG\n    Always_Off_Here : BOOL (Class := Safety);\n", 1);
     let (before, changed) = (declared(&sample), declared(&sample).replacen(rung, &same, 1));
-    let cell = Cell { home: tempfile::tempdir().unwrap() };
+    let cell = Cell::new();
     cell.write("sample.rll", &before);
     cell.done(&format!("download {}", cell.path("sample.rll").display()));
     cell.done("mode run");
@@ -250,7 +213,7 @@ fn sample_when_an_edit_that_changes_nothing_is_tested_then_its_recording_is_the_
         fs::read_to_string(out).unwrap()
     };
     let plain = record("");
-    cell.done(&cell.begin(&changed));
+    cell.done(&begin(&cell, &changed));
     cell.done("edit accept");
     assert_eq!(record(" --test-edits 2000 --untest-edits 4000"), plain);
 }

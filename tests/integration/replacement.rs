@@ -1,10 +1,6 @@
 //! What the command says of a replaced module, and of a controller whose partner failed.
 
-use std::fs;
-
-use tempfile::TempDir;
-
-use crate::command::{Said, twinrung};
+use crate::cell::Cell;
 
 fn project(safety: &str) -> String {
     format!(
@@ -27,29 +23,10 @@ END_CONTROLLER
     )
 }
 
-/// A controller with a project downloaded.
-struct Cell(TempDir);
-
-impl Cell {
-    fn with(safety: &str) -> Cell {
-        let cell = Cell(tempfile::tempdir().unwrap());
-        let path = cell.0.path().join("project.rll");
-        fs::write(&path, project(safety)).unwrap();
-        assert_eq!(cell.ask(&format!("download {}", path.display())).code, Some(0));
-        cell
-    }
-
-    fn ask(&self, action: &str) -> Said {
-        let folder = self.0.path().join("cell").display().to_string();
-        let arguments: Vec<&str> = ["controller", &folder].into_iter().chain(action.split_whitespace()).collect();
-        twinrung(&arguments)
-    }
-}
-
 /// REQ-REPLACE-001. The setting is the project's, the signature the controller's.
 #[test]
 fn module_when_it_is_replaced_then_the_command_says_what_the_table_says() {
-    let cell = Cell::with("");
+    let cell = Cell::with_project(&project(""));
     assert_eq!(cell.ask("replace Doors").code, Some(0));
     let other = cell.ask("replace Doors --number other");
     assert_eq!(other.code, Some(1));
@@ -63,7 +40,7 @@ fn module_when_it_is_replaced_then_the_command_says_what_the_table_says() {
 /// REQ-REPLACE-001.
 #[test]
 fn module_when_the_project_says_configure_always_then_a_new_one_is_configured_in_spite_of_the_signature() {
-    let cell = Cell::with(", ConfigureSafetyIOAlways := Yes");
+    let cell = Cell::with_project(&project(", ConfigureSafetyIOAlways := Yes"));
     assert_eq!(cell.ask("generate").code, Some(0));
     let said = cell.ask("replace Doors");
     assert_eq!(said.code, Some(0), "{}", said.out);
@@ -73,7 +50,7 @@ fn module_when_the_project_says_configure_always_then_a_new_one_is_configured_in
 /// REQ-FAULT-003, REQ-FAULT-007. 1756-RM093 Nonrecoverable Controller Faults.
 #[test]
 fn controller_when_its_partner_fails_then_only_a_download_recovers_and_the_log_says_so() {
-    let cell = Cell::with("");
+    let cell = Cell::with_project(&project(""));
     assert_eq!(cell.ask("lose-partner").code, Some(3));
     for action in ["clear", "override"] {
         let said = cell.ask(action);
@@ -81,7 +58,7 @@ fn controller_when_its_partner_fails_then_only_a_download_recovers_and_the_log_s
         assert!(said.out.contains("P71: "), "{action}: {}", said.out);
     }
     assert_eq!(cell.ask("run").code, Some(3));
-    let path = cell.0.path().join("project.rll").display().to_string();
+    let path = cell.path("project.rll").display().to_string();
     assert_eq!(cell.ask(&format!("download {path}")).code, Some(0));
     let log = cell.ask("faults").out;
     assert!(log.contains("14/9 at 0 ms  nonrecoverable controller fault"), "{log}");

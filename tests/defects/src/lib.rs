@@ -14,16 +14,15 @@
 //! ```
 //!
 //! The binary `seeded_defects` applies them to a copy of the tree, builds it, and runs the fuzzer until it finds a difference.
-//! It depends on nothing of this project, changes nothing outside its copy but the page and the times, and judges no defect.
+//! It depends on the form in which times are kept (`twinrung_workbench::evidence`) and on nothing else of this project, changes
+//! nothing outside its copy but the times, and judges no defect.
 
 #![forbid(unsafe_code)]
 
 mod list;
 mod measure;
-mod page;
 mod tree;
 
 pub use list::{Channel, Defect, ListError, Misfit, read};
-pub use measure::{Bench, Conditions, MeasureError, Measured};
-pub use page::{Times, page};
+pub use measure::{Bench, MeasureError};
 pub use tree::{Applied, ScratchTree};

@@ -9,15 +9,16 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::Parser;
-use twinrung_defects::{Bench, Channel, Defect, Measured, ScratchTree, Times, page, read};
+use clap::{Parser, ValueEnum};
+use twinrung_defects::{Bench, Channel, Defect, ScratchTree, read};
+use twinrung_workbench::evidence::{Measured, Times};
 
 /// Seconds that the project without a defect is fuzzed before: a difference there would be taken for a defect found.
 const SOUND_S: u32 = 10;
 
 /// Puts each listed defect into a copy of the project and measures how long the fuzzer takes to find it
 #[derive(Debug, Parser)]
-#[command(after_help = "Times go to tests/defects/times.toml and the page docs/seeded-defects.md.\n\
+#[command(after_help = "Times go to tests/defects/times.toml; `twinrung evidence` shows them.\n\
 Exit code: 0 every defect was found, 1 some were not, 2 something does not build or cannot be read.")]
 struct Arguments {
     /// Only defects whose name contains this; may be given several times
@@ -29,9 +30,9 @@ struct Arguments {
     /// Only those that were not measured before, or were missed
     #[arg(long)]
     missing: bool,
-    /// Random programs alone, to compare
-    #[arg(long)]
-    plain: bool,
+    /// In which way it is looked for; each defect is built once for both
+    #[arg(long, value_enum, default_value_t = Way::Both)]
+    way: Way,
     /// Seconds after which a defect counts as missed
     #[arg(long, value_name = "SECONDS", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..))]
     limit: u32,
@@ -44,6 +45,28 @@ struct Arguments {
     /// Folder of the copy and what is built from it; kept, so that the next run builds less
     #[arg(long, value_name = "FOLDER")]
     scratch: Option<PathBuf>,
+}
+
+/// How a defect is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Way {
+    /// First guided, then plain.
+    Both,
+    /// As the fuzzer is.
+    Guided,
+    /// Random programs alone, to compare.
+    Plain,
+}
+
+impl Way {
+    /// Whether each run is plain.
+    fn runs(self) -> &'static [bool] {
+        match self {
+            Way::Both => &[false, true],
+            Way::Guided => &[false],
+            Way::Plain => &[true],
+        }
+    }
 }
 
 fn main() -> ExitCode {
@@ -68,7 +91,8 @@ fn run(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Times::default(),
         Err(error) => return Err(error.into()),
     };
-    let known = times.of(arguments.plain).clone();
+    let runs = arguments.way.runs();
+    let known: Vec<BTreeMap<String, Measured>> = runs.iter().map(|plain| times.of(*plain).clone()).collect();
     let asked: Vec<&Defect> = lists
         .iter()
         .filter(|(channel, _)| arguments.channel.as_ref().is_none_or(|name| name == channel.name()))
@@ -77,44 +101,52 @@ fn run(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         .collect();
     let folder = arguments.scratch.clone().unwrap_or_else(|| root.join("target/seeded-defects"));
     let tree = ScratchTree::copy(&root, &folder.join("tree"))?;
-    let Arguments { jobs, limit, seed, plain, .. } = *arguments;
-    let bench = Bench { folder, jobs, limit_s: limit, seed, plain };
+    let Arguments { jobs, limit, seed, .. } = *arguments;
+    let bench = Bench { folder, jobs, limit_s: limit, seed, plain: false };
     bench.build(&tree)?;
     bench.keep_sound()?;
     Bench { limit_s: SOUND_S, ..bench.clone() }.run()?;
     let (mut missed, mut broken) = (0, 0);
     for (number, defect) in asked.iter().enumerate() {
         let applied = tree.apply(defect)?;
-        let measured = bench.build(&tree).and_then(|()| bench.run());
+        let built = bench.build(&tree);
         drop(applied);
-        let name = &defect.name;
-        let said = match &measured {
-            Ok((Measured { found: true, seconds, cases }, _)) => format!("{seconds:.1} s, {cases} programs"),
-            Ok((Measured { found: false, seconds, cases }, _)) => {
-                format!("NOT FOUND in {seconds:.0} s, {cases} programs")
+        let place = format!("{:>3}/{} {}", number + 1, asked.len(), defect.name);
+        if let Err(error) = built {
+            println!("{place}: {error}");
+            broken += runs.len();
+            continue;
+        }
+        for plain in runs {
+            let measured = Bench { plain: *plain, ..bench.clone() }.run();
+            let said = match &measured {
+                Ok((Measured { found: true, seconds, cases }, _)) => format!("{seconds:.1} s, {cases} programs"),
+                Ok((Measured { found: false, seconds, cases }, _)) => {
+                    format!("NOT FOUND in {seconds:.0} s, {cases} programs")
+                }
+                Err(error) => error.to_string(),
+            };
+            println!("{place}, {}: {said}", if *plain { "plain" } else { "guided" });
+            match measured {
+                Ok((measured, conditions)) => {
+                    missed += usize::from(!measured.found);
+                    times.measured_under(*plain, conditions);
+                    times.of(*plain).insert(defect.name.clone(), measured);
+                }
+                Err(_) => broken += 1,
             }
-            Err(error) => error.to_string(),
-        };
-        println!("{:>3}/{} {name}: {said}", number + 1, asked.len());
-        match measured {
-            Ok((measured, conditions)) => {
-                missed += usize::from(!measured.found);
-                times.measured_under(plain, conditions);
-                times.of(plain).insert(name.clone(), measured);
-            }
-            Err(_) => broken += 1,
         }
         // After each, so that a run that is ended keeps what it measured.
         fs::write(&times_path, toml::to_string(&times)?)?;
-        fs::write(root.join("docs/seeded-defects.md"), page(&lists, &times))?;
     }
-    println!("{} measured, {missed} not found, {broken} could not be measured", asked.len() - broken);
+    println!("{} measured, {missed} not found, {broken} could not be measured", asked.len() * runs.len() - broken);
     Ok(if broken > 0 { 2 } else { u8::from(missed > 0) })
 }
 
 impl Arguments {
-    fn is_asked(&self, defect: &Defect, known: &BTreeMap<String, Measured>) -> bool {
+    fn is_asked(&self, defect: &Defect, known: &[BTreeMap<String, Measured>]) -> bool {
         let named = self.only.is_empty() || self.only.iter().any(|part| defect.name.contains(part));
-        named && !(self.missing && known.get(&defect.name).is_some_and(|one| one.found))
+        let found = |times: &BTreeMap<String, Measured>| times.get(&defect.name).is_some_and(|one| one.found);
+        named && !(self.missing && known.iter().all(found))
     }
 }

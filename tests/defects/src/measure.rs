@@ -9,7 +9,8 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use twinrung_workbench::evidence::{Conditions, Measured};
 
 use crate::ScratchTree;
 
@@ -26,37 +27,6 @@ pub struct Bench {
     pub seed: u64,
     /// Random programs alone, without guidance.
     pub plain: bool,
-}
-
-/// What a run of the fuzzer came to.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Measured {
-    /// Whether it found a difference.
-    pub found: bool,
-    /// Seconds until then, or the limit.
-    pub seconds: f64,
-    /// Programs that had been run.
-    pub cases: u64,
-}
-
-/// Under what a time was taken.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Conditions {
-    /// Threads.
-    pub jobs: u32,
-    /// Seconds after which a defect counts as missed.
-    pub limit_s: u32,
-    /// The first seed.
-    pub seed: u64,
-    /// The release that was measured.
-    pub version: String,
-    /// The compiler that built it.
-    pub rustc: String,
-    /// The processor.
-    pub processor: String,
-    /// Processors that the machine offers.
-    pub cores: usize,
 }
 
 /// Why nothing could be measured.

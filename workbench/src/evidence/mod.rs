@@ -13,11 +13,12 @@ mod injection;
 mod mutants;
 mod page;
 mod sources;
+mod times;
 
 use serde::Serialize;
 
 pub use campaign::{CampaignEvidence, InstructionCoverage, Share};
-pub use defects::{Conditions, DefectEvidence, Method, SeededDefect};
+pub use defects::{DefectEvidence, SeededDefect};
 pub use difference::Difference;
 pub use floors::{Bound, FLOORS, Floor, Judged, State, Unit};
 pub use independence::{Area, Independence};
@@ -25,6 +26,7 @@ pub use injection::InjectionEvidence;
 pub use mutants::{MutationRun, MutationScore, Survivor};
 pub use page::page;
 pub use sources::{EvidenceError, File, Sources};
+pub use times::{Conditions, Measured, Method, Times};
 
 use crate::provenance::Provenance;
 

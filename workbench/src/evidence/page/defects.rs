@@ -3,8 +3,7 @@
 use crate::bench::count;
 use crate::html::{self, Cell};
 
-use super::super::defects::Measured;
-use super::super::{DefectEvidence, Method, SeededDefect};
+use super::super::{DefectEvidence, Measured, Method, SeededDefect};
 
 pub(super) fn write(out: &mut String, evidence: &DefectEvidence) {
     html::heading(out, 2, "Seeded defects");
