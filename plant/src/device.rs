@@ -32,7 +32,16 @@ pub trait Device {
     /// No packet with commands arrives any more.
     fn output_connection_lost(&mut self, now_ms: u64);
 
-    /// Whether 24 V stand at a terminal; nothing where there is no such terminal.
+    /// Whether the module has a terminal.
+    fn has(&self, terminal: Terminal) -> bool;
+
+    /// How often in a ms the module looks at its terminals.
+    fn looks_each_ms(&self) -> u64 {
+        1
+    }
+
+    /// Whether 24 V reach what is wired to a terminal, or of an input the terminal itself; nothing where there is no such
+    /// terminal, or where a number stands at it.
     fn is_high(&self, terminal: Terminal) -> Option<bool>;
 
     /// Power-up: everything that is remembered is forgotten. Devices and wires stay as they are.
@@ -55,10 +64,13 @@ pub(crate) fn model(settings: &ModuleSettings) -> Option<Box<dyn Device>> {
 /// A stimulus that concerns a terminal, with the terminal that its wire touches.
 pub(crate) fn terminals(stimulus: &Stimulus) -> [Option<Terminal>; 2] {
     match stimulus {
-        Stimulus::Fault(terminal, crate::Fault::To(other)) => [Some(*terminal), Some(*other)],
-        Stimulus::Signal(terminal, _) | Stimulus::Fault(terminal, _) | Stimulus::Repaired(terminal) => {
-            [Some(*terminal), None]
+        Stimulus::Fault(terminal, crate::Fault::To(other)) | Stimulus::FaultGone(terminal, crate::Fault::To(other)) => {
+            [Some(*terminal), Some(*other)]
         }
+        Stimulus::Signal(terminal, _)
+        | Stimulus::Fault(terminal, _)
+        | Stimulus::FaultGone(terminal, _)
+        | Stimulus::Repaired(terminal) => [Some(*terminal), None],
         Stimulus::FieldPower(_) | Stimulus::Present(_) | Stimulus::Running(_) => [None, None],
     }
 }

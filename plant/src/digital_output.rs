@@ -5,7 +5,7 @@ use crate::error_latch::ErrorLatch;
 use crate::member::{Command, Reading};
 use crate::settings::{ModuleSettings, PointSettings};
 use crate::stimulus::{Refusal, Stimulus, Terminal};
-use crate::wiring::{Faults, Node, Wiring};
+use crate::wiring::{Field, Node};
 
 /// Safety outputs.
 const OUTPUTS: u8 = 8;
@@ -13,8 +13,6 @@ const OUTPUTS: u8 = 8;
 pub const PULSE_PERIOD_MS: u64 = 575;
 /// Outputs pulse one after the other, so many ms apart (decided).
 pub const PULSE_OFFSET_MS: u64 = PULSE_PERIOD_MS / OUTPUTS as u64;
-/// Error latch time of a point that does not set one, ms. 1734-UM013 Table 20.
-const ERROR_LATCH_MS: u64 = 1000;
 
 /// Why an output shows an error: the codes of 1734-UM013 Table 14. `Configuration invalid` (1) is refused by the compiler, and
 /// `Short circuit detected` (3) cannot be told from a short at the output.
@@ -59,7 +57,7 @@ impl Output {
             pulses,
             dual: !settings.has("Channel", "SINGLE"),
             commanded: false,
-            latch: ErrorLatch::new(settings.milliseconds("ErrorLatchTime", ERROR_LATCH_MS)),
+            latch: ErrorLatch::new(settings.error_latch_ms()),
             fault: OutputFault::None,
             stuck: false,
         }
@@ -81,12 +79,19 @@ impl Output {
     }
 }
 
+/// What one look at an output finds; the default is an output about which there is nothing to say.
+#[derive(Debug, Clone, Copy, Default)]
+struct Look {
+    cause: Option<OutputFault>,
+    paired: bool,
+    commanded: bool,
+    stuck: bool,
+}
+
 /// A 1734-OB8S.
 pub struct DigitalOutput {
     outputs: Vec<Output>,
-    faults: Faults,
-    wiring: Wiring,
-    field_power: bool,
+    field: Field,
     origin_ms: u64,
 }
 
@@ -103,9 +108,7 @@ impl DigitalOutput {
     pub fn new(settings: &ModuleSettings) -> DigitalOutput {
         DigitalOutput {
             outputs: (0..OUTPUTS).map(|number| Output::new(number, &settings.of(Terminal::new('O', number)))).collect(),
-            faults: Faults::default(),
-            wiring: Wiring::default(),
-            field_power: true,
+            field: Field::new(node),
             origin_ms: 0,
         }
     }
@@ -122,11 +125,11 @@ impl DigitalOutput {
     /// Whether an output drives its terminal: it is commanded, it has no error, and the same holds for its partner.
     fn drives(&self, output: &Output) -> bool {
         let may = |one: &Output| one.used && one.commanded && one.fault == OutputFault::None;
-        self.field_power && may(output) && self.partner(output).is_none_or(may)
+        self.field.power && may(output) && self.partner(output).is_none_or(may)
     }
 
     fn driven(&self, pulsing: Option<u8>) -> u32 {
-        let mut driven = if self.field_power { Node::SUPPLY.mask() } else { 0 };
+        let mut driven = if self.field.power { Node::SUPPLY.mask() } else { 0 };
         for output in self.outputs.iter().filter(|output| Some(output.number) != pulsing && self.drives(output)) {
             driven |= output_node(output.number).mask();
         }
@@ -141,19 +144,19 @@ impl DigitalOutput {
 
     /// What is wrong with an output now.
     fn cause(&self, output: &Output, now_ms: u64) -> Option<OutputFault> {
-        if !self.field_power || !output.used {
+        if !self.field.power || !output.used {
             return None;
         }
         let at = output_node(output.number);
         let (drives, driven) = (self.drives(output), self.driven(None));
-        if drives && self.wiring.is_grounded(at) {
+        if drives && self.field.wiring.is_grounded(at) {
             return Some(OutputFault::OverCurrent);
         }
         if drives && output.pulses && self.pulse(now_ms) == Some(output.number) {
-            let high = self.wiring.is_high(at, self.driven(Some(output.number)));
+            let high = self.field.wiring.is_high(at, self.driven(Some(output.number)));
             return high.then_some(OutputFault::ShortCircuit);
         }
-        if !drives && self.wiring.is_high(at, driven) {
+        if !drives && self.field.wiring.is_high(at, driven) {
             return Some(OutputFault::OutputOn);
         }
         let differs = self.partner(output).is_some_and(|other| other.commanded != output.commanded);
@@ -162,23 +165,28 @@ impl DigitalOutput {
 
     /// Looks at every output. A pair has one verdict.
     fn judge(&mut self, now_ms: u64) {
-        let causes: Vec<Option<OutputFault>> = self.outputs.iter().map(|output| self.cause(output, now_ms)).collect();
-        let pairs: Vec<bool> = self.outputs.iter().map(|output| self.partner(output).is_some()).collect();
-        let commanded: Vec<bool> = self.outputs.iter().map(|output| output.commanded).collect();
-        let stuck: Vec<bool> = self.outputs.iter().map(|output| output.stuck).collect();
-        let of = |list: &[bool], at: usize| list.get(at).copied().unwrap_or_default();
+        let mut looks = [Look::default(); OUTPUTS as usize];
+        for (look, output) in looks.iter_mut().zip(&self.outputs) {
+            let cause = self.cause(output, now_ms);
+            let supplied = self.field.wiring.is_high(output_node(output.number), Node::SUPPLY.mask());
+            *look = Look {
+                cause,
+                paired: self.partner(output).is_some(),
+                commanded: output.commanded,
+                // Stuck high is what the field power holds high, and not what another output of the module drives.
+                stuck: output.stuck || cause == Some(OutputFault::OutputOn) && supplied,
+            };
+        }
         for (at, output) in self.outputs.iter_mut().enumerate() {
-            let other = Some(at ^ 1).filter(|_| of(&pairs, at));
-            let own = causes.get(at).copied().flatten();
-            let beside = other.and_then(|other| causes.get(other).copied().flatten());
-            // Stuck high is what stands at an output although nothing of the module drives it.
-            output.stuck |= own == Some(OutputFault::OutputOn);
-            match (own, beside) {
+            let Some(own) = looks.get(at) else { continue };
+            let other = looks.get(at ^ 1).filter(|_| own.paired).copied().unwrap_or_default();
+            output.stuck = own.stuck;
+            match (own.cause, other.cause) {
                 (Some(fault), _) => output.found(now_ms, fault),
                 (None, Some(_)) => output.found(now_ms, OutputFault::Partner),
                 (None, None) => {
-                    let off = !output.commanded && !other.is_some_and(|other| of(&commanded, other));
-                    let held = output.stuck || other.is_some_and(|other| of(&stuck, other));
+                    let off = !own.commanded && !other.commanded;
+                    let held = own.stuck || other.stuck;
                     output.latch.gone(now_ms, off && !held);
                     if !output.latch.is_set() {
                         output.fault = OutputFault::None;
@@ -189,7 +197,7 @@ impl DigitalOutput {
     }
 
     fn status(&self, number: u8) -> bool {
-        self.field_power && self.fault(number) == OutputFault::None
+        self.field.power && self.fault(number) == OutputFault::None
     }
 }
 
@@ -211,15 +219,7 @@ impl Device for DigitalOutput {
         if self.accepts(stimulus).is_err() {
             return;
         }
-        match stimulus {
-            Stimulus::Fault(terminal, fault) => self.faults.add(*terminal, *fault),
-            Stimulus::Repaired(terminal) => self.faults.repair(*terminal),
-            Stimulus::FieldPower(on) => self.field_power = *on,
-            Stimulus::Signal(..) | Stimulus::Present(_) | Stimulus::Running(_) => {}
-        }
-        let mut wiring = Wiring::default();
-        self.faults.join(&mut wiring, node);
-        self.wiring = wiring;
+        self.field.apply(stimulus);
     }
 
     fn step(&mut self, now_ms: u64) {
@@ -231,9 +231,11 @@ impl Device for DigitalOutput {
             Reading::Status(number) => self.status(number),
             Reading::CombinedStatus => (0..OUTPUTS).all(|number| self.status(number)),
             // The monitor sits at the output circuit: a wire that is broken behind it is not seen.
-            Reading::Readback(number) => self.wiring.is_high(output_node(number.min(OUTPUTS - 1)), self.driven(None)),
+            Reading::Readback(number) => {
+                self.field.wiring.is_high(output_node(number.min(OUTPUTS - 1)), self.driven(None))
+            }
             // Marked an error bit by the manual: 1 is the error. (1734-UM013, Values and States of Tags)
-            Reading::Power => !self.field_power,
+            Reading::Power => !self.field.power,
             _ => false,
         };
         i32::from(bit)
@@ -256,10 +258,14 @@ impl Device for DigitalOutput {
         self.judge(now_ms);
     }
 
+    fn has(&self, terminal: Terminal) -> bool {
+        node(terminal).is_some()
+    }
+
     /// What the actuator gets: nothing through a broken wire.
     fn is_high(&self, terminal: Terminal) -> Option<bool> {
-        let high = self.wiring.is_high(node(terminal)?, self.driven(None));
-        Some(high && !self.faults.is_open(terminal))
+        let high = self.field.wiring.is_high(node(terminal)?, self.driven(None));
+        Some(high && !self.field.faults.is_open(terminal))
     }
 
     fn power_up(&mut self, now_ms: u64) {

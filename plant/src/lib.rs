@@ -10,7 +10,8 @@
 //! once: the model is as fast as a plant can be, and the longest times are what Appendix C of 1756-RM093 adds up (`reaction`).
 //!
 //! Where the manual (1734-UM013) is silent the model does what is harder on the project: a fault is found as late, and goes
-//! away by itself as soon, as the text admits. Such choices are marked decided.
+//! away by itself as soon, as the text admits; only after an overcurrent of a sensor supply the longest time holds. Such choices
+//! are marked decided.
 
 #![forbid(unsafe_code)]
 

@@ -1,8 +1,13 @@
 //! The configuration of a module as a project declares it.
 
+use twinrung_catalog::modules::Module;
+use twinrung_catalog::points::{Points, SettingValue};
 use twinrung_catalog::reaction::INPUT_RPI_US;
 
 use crate::stimulus::Terminal;
+
+/// Error latch time of a point that does not set one, ms. 1734-UM013 Tables 18, 20, 21.
+pub const ERROR_LATCH_MS: u64 = 1000;
 
 /// The settings of one point: keys and values as declared. The catalogue says which there are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -34,6 +39,11 @@ impl PointSettings {
     /// A time in ms by its key, or what holds without one.
     pub fn milliseconds(&self, key: &str, default_ms: u64) -> u64 {
         self.number(key).and_then(|number| u64::try_from(number).ok()).unwrap_or(default_ms)
+    }
+
+    /// The error latch time in ms.
+    pub fn error_latch_ms(&self) -> u64 {
+        self.milliseconds("ErrorLatchTime", ERROR_LATCH_MS)
     }
 }
 
@@ -71,9 +81,25 @@ impl ModuleSettings {
         self
     }
 
-    /// The settings of a point; none where the project does not configure it.
+    /// The settings of a point; none where the project does not configure it. What the catalogue does not allow is not set: the
+    /// compiler refuses it, and an image that it did not make may hold anything.
     pub fn of(&self, terminal: Terminal) -> PointSettings {
         let found = self.points.iter().find(|(own, _)| *own == terminal);
-        found.map(|(_, settings)| settings.clone()).unwrap_or_default()
+        let module = Module::by_catalog_number(&self.catalog_number);
+        let points = module.and_then(|module| module.points.iter().find(|points| points.letter == terminal.letter));
+        let (Some((_, settings)), Some(points)) = (found, points) else { return PointSettings::default() };
+        let mut settings = settings.clone();
+        settings.entries.retain(|(key, value)| allows(points, key, value));
+        settings
     }
+}
+
+fn allows(points: &Points, key: &str, value: &str) -> bool {
+    let setting = points.settings.iter().find(|setting| setting.key.eq_ignore_ascii_case(key));
+    setting.is_some_and(|setting| match setting.value {
+        SettingValue::Word(words) => words.iter().any(|word| word.eq_ignore_ascii_case(value)),
+        SettingValue::Number { least, greatest, step, .. } => value
+            .parse::<i64>()
+            .is_ok_and(|number| (least..=greatest).contains(&number) && number.checked_rem(step) == Some(0)),
+    })
 }

@@ -7,7 +7,7 @@ use crate::settings::ModuleSettings;
 use crate::stimulus::{Refusal, Stimulus, Terminal};
 
 /// µs of one look at the terminals.
-const STEP_US: u64 = 1000;
+pub(crate) const STEP_US: u64 = 1000;
 
 /// A module, with the connection that its inputs or status come on and the one that commands go out on.
 pub struct Station {
@@ -55,7 +55,18 @@ impl Station {
         Terminal::new(self.device.letter(), number)
     }
 
-    /// Whether 24 V stand at a terminal; nothing where there is no such terminal.
+    /// Whether the module has a terminal.
+    pub fn has(&self, terminal: Terminal) -> bool {
+        self.device.has(terminal)
+    }
+
+    /// How often in a ms the module looks at its terminals.
+    pub fn looks_each_ms(&self) -> u64 {
+        self.device.looks_each_ms()
+    }
+
+    /// Whether 24 V reach what is wired to a terminal, or of an input the terminal itself; nothing where there is no such
+    /// terminal, or where a number stands at it.
     pub fn is_high(&self, terminal: Terminal) -> Option<bool> {
         self.device.is_high(terminal).map(|high| high && self.present)
     }

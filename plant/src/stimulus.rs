@@ -60,6 +60,8 @@ pub enum Stimulus {
     Signal(Terminal, Signal),
     /// A wire gets a fault; it keeps those that it has.
     Fault(Terminal, Fault),
+    /// One fault of a wire is gone, at whichever end it was named.
+    FaultGone(Terminal, Fault),
     /// Every fault of a wire is gone.
     Repaired(Terminal),
     /// Field power is there, or not.
@@ -87,6 +89,8 @@ pub enum Refusal {
     Beyond(Terminal),
     /// A wire cannot touch itself.
     Itself(Terminal),
+    /// The sensors at two channels give different quantities: what both give together is not modelled.
+    OtherQuantity(Terminal),
 }
 
 impl fmt::Display for Refusal {
@@ -99,6 +103,9 @@ impl fmt::Display for Refusal {
             Refusal::NotAContact(terminal) => write!(f, "{terminal} takes a number"),
             Refusal::Beyond(terminal) => write!(f, "{terminal} cannot have so much, or so little"),
             Refusal::Itself(terminal) => write!(f, "the wire at {terminal} cannot touch itself"),
+            Refusal::OtherQuantity(terminal) => {
+                write!(f, "{terminal} measures another quantity: what two such sensors give together is not simulated")
+            }
         }
     }
 }
@@ -117,6 +124,7 @@ impl Refusal {
             }
             Refusal::Beyond(_) => Some("at most 30 V either way, 30 mA, or 10000 Hz".to_owned()),
             Refusal::NotAnAmount(_) => Some("write `is on` or `is off`".to_owned()),
+            Refusal::OtherQuantity(_) => Some("short each wire to 24 V and to 0 V instead".to_owned()),
             Refusal::NotAContact(_) => Some("write volts, milliamperes or hertz, as its range is".to_owned()),
             _ => None,
         }

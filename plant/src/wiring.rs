@@ -1,6 +1,6 @@
 //! Wires between terminals: what is joined, and what level that gives.
 
-use crate::stimulus::{Fault, Terminal};
+use crate::stimulus::{Fault, Stimulus, Terminal};
 
 /// A point of the wiring of one module.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +76,12 @@ impl Faults {
         }
     }
 
+    /// One fault of a wire is gone, at whichever end it was named.
+    pub fn remove(&mut self, terminal: Terminal, fault: Fault) {
+        let mirrored = |own: Terminal, other: Fault| fault == Fault::To(own) && other == Fault::To(terminal);
+        self.present.retain(|(own, other)| (*own, *other) != (terminal, fault) && !mirrored(*own, *other));
+    }
+
     /// Every fault of a wire is gone, at whichever end it was named.
     pub fn repair(&mut self, terminal: Terminal) {
         self.present.retain(|(own, fault)| *own != terminal && *fault != Fault::To(terminal));
@@ -103,6 +109,38 @@ impl Faults {
     }
 }
 
+/// The wires of one module with their faults, and its field power.
+#[derive(Debug, Clone)]
+pub struct Field {
+    /// What is wrong with the wires.
+    pub faults: Faults,
+    /// What that joins.
+    pub wiring: Wiring,
+    /// Whether field power is there.
+    pub power: bool,
+    node: fn(Terminal) -> Option<Node>,
+}
+
+impl Field {
+    /// With power and without faults; `node` gives the node of each terminal of the module.
+    pub fn new(node: fn(Terminal) -> Option<Node>) -> Field {
+        Field { faults: Faults::default(), wiring: Wiring::default(), power: true, node }
+    }
+
+    /// Something happens to wires or power. Afterwards what faults join is joined, and nothing else.
+    pub fn apply(&mut self, stimulus: &Stimulus) {
+        match stimulus {
+            Stimulus::Fault(terminal, fault) => self.faults.add(*terminal, *fault),
+            Stimulus::FaultGone(terminal, fault) => self.faults.remove(*terminal, *fault),
+            Stimulus::Repaired(terminal) => self.faults.repair(*terminal),
+            Stimulus::FieldPower(on) => self.power = *on,
+            Stimulus::Signal(..) | Stimulus::Present(_) | Stimulus::Running(_) => {}
+        }
+        self.wiring = Wiring::default();
+        self.faults.join(&mut self.wiring, self.node);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,6 +165,16 @@ mod tests {
         wiring.join(B, Node::COMMON);
         assert!(!wiring.is_high(A, A.mask() | Node::SUPPLY.mask()));
         assert!(wiring.is_grounded(A));
+    }
+
+    #[test]
+    fn fault_when_it_alone_is_gone_then_the_others_of_the_wire_stay() {
+        let (one, other) = (Terminal::new('I', 0), Terminal::new('I', 1));
+        let mut faults = Faults::default();
+        faults.add(one, Fault::To(other));
+        faults.add(one, Fault::Open);
+        faults.remove(other, Fault::To(one));
+        assert_eq!(faults.present, [(one, Fault::Open)]);
     }
 
     #[test]

@@ -15,8 +15,9 @@ struct Trip {
 impl Trip {
     /// An alarm comes beyond the level, and goes when the value is back by the deadband.
     fn look(&mut self, value: i32) {
-        let beyond = if self.high { value - self.level } else { self.level - value };
-        self.active = beyond > 0 || (self.active && beyond > -self.deadband);
+        let (value, level, deadband) = (i64::from(value), i64::from(self.level), i64::from(self.deadband));
+        let beyond = if self.high { value - level } else { level - value };
+        self.active = beyond > 0 || (self.active && beyond > -deadband);
     }
 }
 

@@ -7,8 +7,6 @@ use super::tachometer::{Sensor, Tachometer};
 use crate::error_latch::ErrorLatch;
 use crate::settings::PointSettings;
 
-/// Error latch time of a channel that does not set one, ms. 1734-UM013 Table 21.
-const ERROR_LATCH_MS: u64 = 1000;
 /// How much longer the status may take after an overcurrent of the sensor supply, ms. 1734-UM013, Sensor Power Supply: up to 15 s;
 /// the longest.
 pub const OVERCURRENT_MS: u64 = 15_000;
@@ -78,7 +76,7 @@ impl Channel {
             supplies_sensor: !settings.has("SensorPower", "EXTERNAL"),
             tachometer: Tachometer::new(settings.has("TachometerTrigger", "RISING")),
             dual_low: settings.has("TachometerDualLow", "ON"),
-            latch: ErrorLatch::new(settings.milliseconds("ErrorLatchTime", ERROR_LATCH_MS)),
+            latch: ErrorLatch::new(settings.error_latch_ms()),
             fault: ChannelFault::None,
             value: 0,
             amount: 0,
@@ -98,24 +96,33 @@ impl Channel {
 
     /// Measures an amount at the terminal; what is wrong with it. (Frequencies come from the tachometer.)
     pub fn measure(&mut self, amount: i64) -> ChannelFault {
-        let (measured, judged) = if self.range.tachometer {
+        let measured = if self.range.is_tachometer() {
             match self.tachometer.frequency() {
-                Some(frequency) if self.tachometer.is_over() => (frequency, false),
-                Some(frequency) => (self.filter.pass(frequency), false),
+                Some(frequency) if self.tachometer.is_over() => frequency,
+                Some(frequency) => self.filter.pass(frequency),
                 None => {
                     self.filter.reset();
-                    (0.0, false)
+                    0.0
                 }
             }
         } else {
-            (self.filter.pass(amount as f64), true)
+            self.filter.pass(amount as f64)
         };
         self.value = self.scaling.scaled(self.range, measured);
         self.alarms.look(self.value);
-        match judged {
-            true if self.range.is_over(measured) => ChannelFault::OverRange,
-            true if self.range.is_under(measured) => ChannelFault::UnderRange,
+        // A frequency beyond its range is reported by bits of its own.
+        match self.range.is_tachometer() {
+            false if self.range.is_over(measured) => ChannelFault::OverRange,
+            false if self.range.is_under(measured) => ChannelFault::UnderRange,
             _ => ChannelFault::None,
+        }
+    }
+
+    /// What the sensor gives, in mV or µA, or in mHz of a tachometer.
+    pub fn give(&mut self, amount: i64) {
+        match self.range.is_tachometer() {
+            true => self.sensor.frequency = u64::try_from(amount).unwrap_or_default(),
+            false => self.amount = amount,
         }
     }
 

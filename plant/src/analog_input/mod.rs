@@ -17,16 +17,37 @@ use pair::Pair;
 use crate::device::{self, Device};
 use crate::member::{Command, Reading};
 use crate::settings::ModuleSettings;
-use crate::stimulus::{Refusal, Signal, Stimulus, Terminal};
-use crate::wiring::{Faults, Node, Wiring};
+use crate::station::STEP_US;
+use crate::stimulus::{Fault, Refusal, Signal, Stimulus, Terminal};
+use crate::wiring::{Field, Node};
 
 /// Channels.
 const CHANNELS: u8 = 4;
 /// For how long the sensor supplies are tested at power-up, ms. 1734-UM013, Sensor Power Supply. Until then a channel with a
 /// sensor supply is not valid (decided).
 pub const SENSOR_TEST_MS: u64 = 500;
-/// µs of one look at the terminals.
-const STEP_US: u64 = 1000;
+
+/// What decides the level of a tachometer signal.
+#[derive(Debug, Clone, Copy)]
+enum Feed {
+    /// A pole of the field power.
+    Level(bool),
+    /// The sensors whose wires touch. Without one the resistor at the terminal decides: down for rising edges, where sensors
+    /// source current, up for falling ones. (1734-UM013, Signal Measurement)
+    Sensors { feeding: [bool; CHANNELS as usize], sources: bool },
+}
+
+impl Feed {
+    fn level(&self, sensors: &[bool; CHANNELS as usize]) -> bool {
+        match self {
+            Feed::Level(level) => *level,
+            Feed::Sensors { feeding, sources } => {
+                let mut levels = feeding.iter().zip(sensors).filter(|(feeds, _)| **feeds).map(|(_, level)| *level);
+                if *sources { levels.any(|high| high) } else { levels.all(|high| high) }
+            }
+        }
+    }
+}
 
 /// A 1734-IE4S.
 pub struct AnalogInput {
@@ -35,9 +56,7 @@ pub struct AnalogInput {
     discrepant: [bool; 2],
     /// Both signals of a pair were low in the last look.
     dual_low: [bool; 2],
-    faults: Faults,
-    wiring: Wiring,
-    field_power: bool,
+    field: Field,
     origin_ms: u64,
     now_ms: u64,
 }
@@ -73,9 +92,7 @@ impl AnalogInput {
             pairs,
             discrepant: [false; 2],
             dual_low: [false; 2],
-            faults: Faults::default(),
-            wiring: Wiring::default(),
-            field_power: true,
+            field: Field::new(node),
             origin_ms: 0,
             now_ms: 0,
         }
@@ -93,60 +110,68 @@ impl AnalogInput {
     /// Whether the sensor of a channel has power.
     fn sensor_lives(&self, number: u8) -> bool {
         let supplied = self.channel(number).is_some_and(|channel| channel.supplies_sensor);
-        let broken = self.faults.is_open(Terminal::new('S', number)) || self.wiring.is_grounded(sensor_node(number));
-        self.field_power && !(supplied && broken)
+        let broken =
+            self.field.faults.is_open(Terminal::new('S', number)) || self.field.wiring.is_grounded(sensor_node(number));
+        self.field.power && !(supplied && broken)
     }
 
-    /// The channels whose wires touch the wire of this one, itself among them, as far as a sensor feeds them.
-    fn feeding(&self, number: u8) -> impl Iterator<Item = &Channel> + '_ {
-        let joined = self.wiring.joined(channel_node(number));
-        (0..CHANNELS).zip(&self.channels).filter_map(move |(other, channel)| {
-            let feeds = joined & channel_node(other).mask() != 0
-                && !self.faults.is_open(Terminal::new('C', other))
-                && self.sensor_lives(other);
-            feeds.then_some(channel)
-        })
+    /// Whether the sensor of another channel feeds this one: their wires touch, and both measure the same quantity.
+    fn feeds(&self, number: u8, other: u8) -> bool {
+        let quantity = |number: u8| self.channel(number).map(|channel| channel.range.quantity);
+        self.field.wiring.joined(channel_node(number)) & channel_node(other).mask() != 0
+            && quantity(number) == quantity(other)
+            && !self.field.faults.is_open(Terminal::new('C', other))
+            && self.sensor_lives(other)
+    }
+
+    /// Whether 24 V stand at a channel: of the field power, or of a sensor supply that its wire touches.
+    fn is_supplied(&self, number: u8) -> bool {
+        let joined = self.field.wiring.joined(channel_node(number));
+        let touches = |other: u8| joined & sensor_node(other).mask() != 0;
+        let supplies = |other: u8| self.channel(other).is_some_and(|channel| channel.supplies_sensor);
+        let sensors = (0..CHANNELS).any(|other| touches(other) && supplies(other) && self.sensor_lives(other));
+        self.field.power && joined & Node::COMMON.mask() == 0 && (joined & Node::SUPPLY.mask() != 0 || sensors)
     }
 
     /// The amount at a terminal: 0 V and 24 V beat a sensor, sensors that touch give the mean (decided).
     fn amount(&self, number: u8) -> i64 {
-        let joined = self.wiring.joined(channel_node(number));
         let Some(own) = self.channel(number) else { return 0 };
-        if joined & Node::COMMON.mask() != 0 {
+        if self.field.wiring.is_grounded(channel_node(number)) {
             return 0;
         }
-        if joined & Node::SUPPLY.mask() != 0 && self.field_power {
-            return own.range.supply;
+        if self.is_supplied(number) {
+            return own.range.supply();
         }
-        let (sum, count) = self.feeding(number).fold((0, 0), |(sum, count), channel| (sum + channel.amount, count + 1));
+        let feeding = (0..CHANNELS).zip(&self.channels).filter(|(other, _)| self.feeds(number, *other));
+        let (sum, count) = feeding.fold((0, 0), |(sum, count), (_, channel)| (sum + channel.amount, count + 1));
         if count == 0 { 0 } else { sum / count }
     }
 
-    /// The level of a tachometer signal. Without a sensor the resistor at the terminal decides: down for rising edges, up for
-    /// falling ones. (1734-UM013, Signal Measurement)
-    fn level(&self, number: u8, sensors: [bool; CHANNELS as usize]) -> bool {
-        let joined = self.wiring.joined(channel_node(number));
+    /// What decides the level of a tachometer signal between two events at the terminals.
+    fn feed(&self, number: u8) -> Feed {
         let sources = self.channel(number).is_some_and(|channel| channel.tachometer.sources());
-        if joined & Node::COMMON.mask() != 0 || !self.field_power {
-            return false;
+        if self.field.wiring.is_grounded(channel_node(number)) || !self.field.power {
+            return Feed::Level(false);
         }
-        if joined & Node::SUPPLY.mask() != 0 {
-            return true;
+        if self.is_supplied(number) {
+            return Feed::Level(true);
         }
-        let feeds = |other: &u8| {
-            joined & channel_node(*other).mask() != 0
-                && !self.faults.is_open(Terminal::new('C', *other))
-                && self.sensor_lives(*other)
-        };
-        let mut levels = (0..CHANNELS).filter(feeds).map(|other| sensors.get(usize::from(other)) == Some(&true));
-        if sources { levels.any(|high| high) } else { levels.all(|high| high) }
+        let mut feeding = [false; CHANNELS as usize];
+        for (other, feeds) in (0..CHANNELS).zip(&mut feeding) {
+            *feeds = self.feeds(number, other);
+        }
+        Feed::Sensors { feeding, sources }
     }
 
     /// The pulses of one ms, µs by µs.
     fn count_pulses(&mut self, now_ms: u64) {
         self.dual_low = [false; 2];
-        if !self.channels.iter().any(|channel| channel.used && channel.range.tachometer) {
+        if !self.channels.iter().any(|channel| channel.used && channel.range.is_tachometer()) {
             return;
+        }
+        let mut feeds = [Feed::Level(false); CHANNELS as usize];
+        for (number, feed) in (0..CHANNELS).zip(&mut feeds) {
+            *feed = self.feed(number);
         }
         for us in 0..STEP_US {
             let mut sensors = [false; CHANNELS as usize];
@@ -154,8 +179,8 @@ impl AnalogInput {
                 *level = channel.sensor.pass();
             }
             let mut levels = [false; CHANNELS as usize];
-            for (number, level) in (0..CHANNELS).zip(&mut levels) {
-                *level = self.level(number, sensors);
+            for (feed, level) in feeds.iter().zip(&mut levels) {
+                *level = feed.level(&sensors);
             }
             for (channel, level) in self.channels.iter_mut().zip(levels) {
                 channel.tachometer.look(now_ms * STEP_US + us, level);
@@ -172,17 +197,19 @@ impl AnalogInput {
     /// What is wrong around a channel, its signal aside.
     fn cause(&self, number: u8) -> ChannelFault {
         let Some(channel) = self.channel(number) else { return ChannelFault::None };
-        if !self.field_power {
+        if !self.field.power {
             return ChannelFault::FieldPower;
         }
         if channel.supplies_sensor {
             let at = sensor_node(number);
-            let others = self.wiring.joined(at) & !(at.mask() | Node::SUPPLY.mask() | Node::COMMON.mask());
-            if self.wiring.is_grounded(at) {
+            let others = self.field.wiring.joined(at) & !(at.mask() | Node::SUPPLY.mask() | Node::COMMON.mask());
+            if self.field.wiring.is_grounded(at) {
                 return ChannelFault::SensorOvercurrent;
             }
             // A sensor that is fed from elsewhere takes no current of the module.
-            if self.faults.is_open(Terminal::new('S', number)) || self.wiring.joined(at) & Node::SUPPLY.mask() != 0 {
+            if self.field.faults.is_open(Terminal::new('S', number))
+                || self.field.wiring.joined(at) & Node::SUPPLY.mask() != 0
+            {
                 return ChannelFault::SensorUndercurrent;
             }
             if others != 0 {
@@ -190,7 +217,7 @@ impl AnalogInput {
             }
         }
         let low = self.dual_low.get(usize::from(number / 2)).copied().unwrap_or_default();
-        let watched = channel.range.tachometer && channel.dual_low;
+        let watched = channel.range.is_tachometer() && channel.dual_low;
         if watched && low { ChannelFault::DualLow } else { ChannelFault::None }
     }
 
@@ -212,7 +239,7 @@ impl AnalogInput {
 
     /// A tachometer that is used; other channels are never too slow, too fast or low.
     fn tachometer(&self, number: u8) -> Option<&Channel> {
-        self.channel(number).filter(|channel| channel.used && channel.range.tachometer)
+        self.channel(number).filter(|channel| channel.used && channel.range.is_tachometer())
     }
 }
 
@@ -232,10 +259,18 @@ impl Device for AnalogInput {
             if terminal.letter != 'C' {
                 return Err(Refusal::NoDevice(*terminal));
             }
-            let tachometer = self.channel(terminal.number).is_some_and(|channel| channel.range.tachometer);
+            let tachometer = self.channel(terminal.number).is_some_and(|channel| channel.range.is_tachometer());
             let within = if tachometer { (0..=10_000_000).contains(amount) } else { amount.abs() <= 30_000 };
             if !within {
                 return Err(Refusal::Beyond(*terminal));
+            }
+        }
+        if let Stimulus::Fault(own, Fault::To(other)) = stimulus
+            && (own.letter, other.letter) == ('C', 'C')
+        {
+            let quantity = |one: &Terminal| self.channel(one.number).map(|channel| channel.range.quantity);
+            if quantity(own) != quantity(other) {
+                return Err(Refusal::OtherQuantity(*other));
             }
         }
         device::not_itself(stimulus)
@@ -245,21 +280,12 @@ impl Device for AnalogInput {
         if self.accepts(stimulus).is_err() {
             return;
         }
-        match stimulus {
-            Stimulus::Signal(terminal, Signal::Amount(amount)) => {
-                if let Some(channel) = self.channels.get_mut(usize::from(terminal.number)) {
-                    channel.amount = *amount;
-                    channel.sensor.frequency = u64::try_from(*amount).unwrap_or_default();
-                }
-            }
-            Stimulus::Fault(terminal, fault) => self.faults.add(*terminal, *fault),
-            Stimulus::Repaired(terminal) => self.faults.repair(*terminal),
-            Stimulus::FieldPower(on) => self.field_power = *on,
-            Stimulus::Signal(..) | Stimulus::Present(_) | Stimulus::Running(_) => {}
+        if let Stimulus::Signal(terminal, Signal::Amount(amount)) = stimulus
+            && let Some(channel) = self.channels.get_mut(usize::from(terminal.number))
+        {
+            channel.give(*amount);
         }
-        let mut wiring = Wiring::default();
-        self.faults.join(&mut wiring, node);
-        self.wiring = wiring;
+        self.field.apply(stimulus);
     }
 
     fn step(&mut self, now_ms: u64) {
@@ -314,7 +340,7 @@ impl Device for AnalogInput {
                 !self.tachometer(number).is_some_and(|channel| channel.fault() == ChannelFault::DualLow)
             }
             // Of this module 1 is normal. (1734-UM013, Values and States of Tags; Table 25)
-            Reading::Power => self.field_power,
+            Reading::Power => self.field.power,
             _ => false,
         };
         i32::from(bit)
@@ -334,11 +360,18 @@ impl Device for AnalogInput {
         self.channels.iter_mut().for_each(|channel| channel.tachometer.command_reset(false));
     }
 
+    fn has(&self, terminal: Terminal) -> bool {
+        node(terminal).is_some()
+    }
+
+    /// Pulses are looked at each µs.
+    fn looks_each_ms(&self) -> u64 {
+        if self.channels.iter().any(|channel| channel.used && channel.range.is_tachometer()) { STEP_US } else { 1 }
+    }
+
+    /// Whether a sensor is supplied; at a channel a number stands.
     fn is_high(&self, terminal: Terminal) -> Option<bool> {
-        match terminal.letter {
-            'S' => node(terminal).map(|_| self.sensor_lives(terminal.number)),
-            _ => node(terminal).map(|_| self.amount(terminal.number) != 0),
-        }
+        node(terminal).filter(|_| terminal.letter == 'S').map(|_| self.sensor_lives(terminal.number))
     }
 
     fn power_up(&mut self, now_ms: u64) {

@@ -41,10 +41,14 @@ impl Pair {
     /// The values of both channels at a time in ms; whether a discrepancy fault is shown. It comes when they have differed by more
     /// than the deadband for longer than the discrepancy time, and goes when they have agreed for the discrepancy time.
     pub fn look(&mut self, now_ms: u64, even: i32, odd: i32) -> bool {
-        let differs = (even - (odd + self.offset)).abs() > self.deadband;
+        let difference = i64::from(even) - (i64::from(odd) + i64::from(self.offset));
+        let differs = difference.abs() > i64::from(self.deadband);
         if differs == self.faulted || self.discrepancy_ms == 0 {
             self.since_ms = None;
-        } else if now_ms.saturating_sub(*self.since_ms.get_or_insert(now_ms)) >= self.discrepancy_ms {
+            return self.faulted;
+        }
+        let for_ms = now_ms.saturating_sub(*self.since_ms.get_or_insert(now_ms));
+        if for_ms > self.discrepancy_ms || (self.faulted && for_ms == self.discrepancy_ms) {
             self.faulted = differs;
             self.since_ms = None;
         }

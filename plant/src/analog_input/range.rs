@@ -1,6 +1,17 @@
 //! Ranges of an analog channel: what they span, and where a signal leaves them. 1734-UM013, Safety Analog Input Module
 //! Specifications. Amounts are in mV, µA and mHz.
 
+/// What a channel measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Amounts are mV.
+    Voltage,
+    /// Amounts are µA.
+    Current,
+    /// Pulses are counted; amounts are mHz.
+    Frequency,
+}
+
 /// A range.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Range {
@@ -11,16 +22,14 @@ pub struct Range {
     under: i64,
     /// Above this it is over range.
     over: i64,
-    /// Whether the channel counts pulses.
-    pub tachometer: bool,
-    /// What touches 24 V gives so much.
-    pub supply: i64,
+    /// What is measured.
+    pub quantity: Quantity,
     /// The high engineering value that holds without a setting. (Table 21)
     default_high: i64,
 }
 
-const fn range(word: &'static str, (low, high): (i64, i64), under: i64, over: i64, supply: i64) -> Range {
-    Range { word, low, high, under, over, tachometer: false, supply, default_high: 10_000 }
+const fn range(word: &'static str, (low, high): (i64, i64), under: i64, over: i64, quantity: Quantity) -> Range {
+    Range { word, low, high, under, over, quantity, default_high: 10_000 }
 }
 
 /// 24 V at a voltage input, mV.
@@ -29,20 +38,19 @@ const SUPPLY_MV: i64 = 24_000;
 const SUPPLY_UA: i64 = 30_000;
 
 static RANGES: [Range; 7] = [
-    range("MA_4_20", (4_000, 20_000), 4_000, 20_000, SUPPLY_UA),
-    range("MA_0_20", (0, 20_000), 500, 20_000, SUPPLY_UA),
-    range("V_10", (-10_000, 10_000), -10_000, 10_000, SUPPLY_MV),
-    range("V_5", (-5_000, 5_000), -5_000, 5_000, SUPPLY_MV),
-    range("V_0_5", (0, 5_000), 250, 5_000, SUPPLY_MV),
-    range("V_0_10", (0, 10_000), 500, 10_000, SUPPLY_MV),
+    range("MA_4_20", (4_000, 20_000), 4_000, 20_000, Quantity::Current),
+    range("MA_0_20", (0, 20_000), 500, 20_000, Quantity::Current),
+    range("V_10", (-10_000, 10_000), -10_000, 10_000, Quantity::Voltage),
+    range("V_5", (-5_000, 5_000), -5_000, 5_000, Quantity::Voltage),
+    range("V_0_5", (0, 5_000), 250, 5_000, Quantity::Voltage),
+    range("V_0_10", (0, 10_000), 500, 10_000, Quantity::Voltage),
     Range {
         word: "TACHOMETER",
         low: 0,
         high: 1_000_000,
         under: 0,
         over: 1_000_000,
-        tachometer: true,
-        supply: 0,
+        quantity: Quantity::Frequency,
         default_high: 1_000,
     },
 ];
@@ -52,6 +60,20 @@ impl Range {
     pub fn of(word: Option<&str>) -> &'static Range {
         let found = word.and_then(|word| RANGES.iter().find(|range| range.word.eq_ignore_ascii_case(word)));
         found.unwrap_or(&RANGES[0])
+    }
+
+    /// Whether the channel counts pulses.
+    pub fn is_tachometer(&self) -> bool {
+        self.quantity == Quantity::Frequency
+    }
+
+    /// What touches 24 V gives so much. (A level, not an amount, is what a tachometer gets.)
+    pub fn supply(&self) -> i64 {
+        match self.quantity {
+            Quantity::Voltage => SUPPLY_MV,
+            Quantity::Current => SUPPLY_UA,
+            Quantity::Frequency => 0,
+        }
     }
 
     /// Whether an amount is below the range.

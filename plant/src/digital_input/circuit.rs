@@ -6,9 +6,6 @@ use crate::error_latch::ErrorLatch;
 use crate::settings::{ModuleSettings, PointSettings};
 use crate::stimulus::Terminal;
 
-/// Error latch time of a point that does not set one, ms. 1734-UM013 Table 18.
-pub const ERROR_LATCH_MS: u64 = 1000;
-
 /// Why an input circuit shows an error: the codes of 1734-UM013 Table 12. `Internal input error` (3) is an error of the module
 /// itself, which the model does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +52,10 @@ impl Input {
             "SAFETY" | "STANDARD" => Mode::Plain,
             _ => Mode::NotUsed,
         };
-        let source = settings.word("TestSource").and_then(Terminal::parse).filter(|source| source.letter == 'T');
+        let source = settings
+            .word("TestSource")
+            .and_then(Terminal::parse)
+            .filter(|source| source.letter == 'T' && source.number < super::TESTS);
         Input {
             mode,
             source: source.map(|source| source.number),
@@ -112,12 +112,13 @@ pub fn circuits(settings: &ModuleSettings) -> Vec<Circuit> {
     let mut circuits = Vec::new();
     for first in (0..super::INPUTS).step_by(2) {
         let (even, odd) = (settings.of(Terminal::new('I', first)), settings.of(Terminal::new('I', first + 1)));
-        let latch = |point: &PointSettings| point.milliseconds("ErrorLatchTime", ERROR_LATCH_MS);
         match Pair::new(&even) {
-            Some(pair) => circuits.push(Circuit::new(first, Some(pair), latch(&even).max(latch(&odd)))),
+            Some(pair) => {
+                circuits.push(Circuit::new(first, Some(pair), even.error_latch_ms().max(odd.error_latch_ms())))
+            }
             None => {
-                circuits.push(Circuit::new(first, None, latch(&even)));
-                circuits.push(Circuit::new(first + 1, None, latch(&odd)));
+                circuits.push(Circuit::new(first, None, even.error_latch_ms()));
+                circuits.push(Circuit::new(first + 1, None, odd.error_latch_ms()));
             }
         }
     }

@@ -23,6 +23,11 @@ impl MutingLamp {
         self.good
     }
 
+    /// There is no field power: nothing is tested, and tests that failed before do not count.
+    pub fn rest(&mut self) {
+        self.failures = 0;
+    }
+
     /// A ms, counted from power-up. A lamp that is on is tested; of one that is off only that it was replaced is seen, which the
     /// manual says is seen in either state. Tests that failed before it was switched off do not count (decided).
     pub fn step(&mut self, since_power_up_ms: u64, on: bool, broken: bool) {

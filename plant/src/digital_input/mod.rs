@@ -15,9 +15,9 @@ use test_output::{TestMode, TestOutput};
 use crate::device::{self, Device};
 use crate::error_latch::ErrorLatch;
 use crate::member::{Command, Reading};
-use crate::settings::ModuleSettings;
+use crate::settings::{ERROR_LATCH_MS, ModuleSettings};
 use crate::stimulus::{Refusal, Stimulus, Terminal};
-use crate::wiring::{Faults, Node, Wiring};
+use crate::wiring::{Field, Node};
 
 /// Safety inputs.
 const INPUTS: u8 = 8;
@@ -35,9 +35,7 @@ pub struct DigitalInput {
     tests: Vec<TestOutput>,
     /// Devices: whether the contact between an input and its source is closed.
     closed: [bool; INPUTS as usize],
-    faults: Faults,
-    wiring: Wiring,
-    field_power: bool,
+    field: Field,
     /// When power-up was, in ms: pulses and lamp tests are counted from it.
     origin_ms: u64,
     /// The error of the field power. No input circuit had one, so that the inputs come back without being cycled (decided: what
@@ -70,24 +68,20 @@ impl DigitalInput {
             .points
             .iter()
             .filter(|(terminal, _)| terminal.letter == 'I')
-            .map(|(_, point)| point.milliseconds("ErrorLatchTime", circuit::ERROR_LATCH_MS))
+            .map(|(terminal, _)| settings.of(*terminal).error_latch_ms())
             .max()
-            .unwrap_or(circuit::ERROR_LATCH_MS);
-        let mut module = DigitalInput {
+            .unwrap_or(ERROR_LATCH_MS);
+        DigitalInput {
             inputs,
             circuits: circuit::circuits(settings),
             tests: (0..TESTS)
                 .map(|number| TestOutput::new(number, &settings.of(Terminal::new('T', number)), latch_ms))
                 .collect(),
             closed: [false; INPUTS as usize],
-            faults: Faults::default(),
-            wiring: Wiring::default(),
-            field_power: true,
+            field: Field::new(node),
             origin_ms: 0,
             power: ErrorLatch::new(latch_ms),
-        };
-        module.rewire();
-        module
+        }
     }
 
     /// Why a circuit shows an error. (1734-UM013 Table 12)
@@ -101,27 +95,24 @@ impl DigitalInput {
         self.tests.get(usize::from(number)).map_or(TestFault::None, TestOutput::fault)
     }
 
-    /// Works out what is joined: wires with faults, and the contacts that are closed.
-    fn rewire(&mut self) {
-        let mut wiring = Wiring::default();
-        self.faults.join(&mut wiring, node);
+    /// Joins what the contacts that are closed join, after what the faults of wires do.
+    fn join_contacts(&mut self) {
         for (number, (input, closed)) in (0..).zip(self.inputs.iter().zip(self.closed)) {
-            if closed && !self.faults.is_open(Terminal::new('I', number)) {
+            if closed && !self.field.faults.is_open(Terminal::new('I', number)) {
                 // A device without a test source switches 24 V of the field power.
                 let source = match input.source {
-                    Some(test) if self.faults.is_open(Terminal::new('T', test)) => continue,
+                    Some(test) if self.field.faults.is_open(Terminal::new('T', test)) => continue,
                     Some(test) => test_node(test),
                     None => Node::SUPPLY,
                 };
-                wiring.join(input_node(number), source);
+                self.field.wiring.join(input_node(number), source);
             }
         }
-        self.wiring = wiring;
     }
 
     /// The nodes that are driven while one test output, or none, is in its pulse.
     fn driven(&self, pulsing: Option<u8>) -> u32 {
-        if !self.field_power {
+        if !self.field.power {
             return 0;
         }
         let tests = self.tests.iter().filter(|test| test.is_on() && !(test.pulses() && Some(test.number) == pulsing));
@@ -140,11 +131,11 @@ impl DigitalInput {
         let driven = self.driven(Some(test));
         for (number, input) in (0..).zip(&mut self.inputs) {
             if input.is_pulse_tested() && input.source == Some(test) {
-                input.test_failed = self.wiring.is_high(input_node(number), driven);
+                input.test_failed = self.field.wiring.is_high(input_node(number), driven);
             }
         }
-        let joined = self.wiring.joined(test_node(test));
-        let high = self.wiring.is_high(test_node(test), driven);
+        let joined = self.field.wiring.joined(test_node(test));
+        let high = self.field.wiring.is_high(test_node(test), driven);
         if let Some(output) = self.tests.get_mut(usize::from(test)).filter(|output| output.pulses()) {
             let supply = joined & Node::SUPPLY.mask() != 0;
             output.judge_pulse(now_ms, high.then_some(if supply { TestFault::OutputOn } else { TestFault::Cross }));
@@ -152,13 +143,13 @@ impl DigitalInput {
     }
 
     fn status(&self, number: u8) -> bool {
-        self.field_power && !self.power.is_set() && self.input_fault(number) == InputFault::None
+        self.field.power && !self.power.is_set() && self.input_fault(number) == InputFault::None
     }
 
     /// Without field power, and as long as that is latched, all data is in the safe state. (1756-RM093, De-energize to Trip
     /// System)
     fn data(&self, number: u8) -> bool {
-        let powered = self.field_power && !self.power.is_set();
+        let powered = self.field.power && !self.power.is_set();
         let found = self.circuits.iter().find_map(|circuit| circuit.data_of(number, powered));
         found.unwrap_or(false)
     }
@@ -189,50 +180,47 @@ impl Device for DigitalInput {
         if self.accepts(stimulus).is_err() {
             return;
         }
-        match stimulus {
-            Stimulus::Signal(terminal, signal) => {
-                if let (Ok(closed), Some(own)) =
-                    (device::contact(*terminal, *signal), self.closed.get_mut(usize::from(terminal.number)))
-                {
-                    *own = closed;
-                }
-            }
-            Stimulus::Fault(terminal, fault) => self.faults.add(*terminal, *fault),
-            Stimulus::Repaired(terminal) => self.faults.repair(*terminal),
-            Stimulus::FieldPower(on) => self.field_power = *on,
-            Stimulus::Present(_) | Stimulus::Running(_) => {}
+        if let Stimulus::Signal(terminal, signal) = stimulus
+            && let (Ok(closed), Some(own)) =
+                (device::contact(*terminal, *signal), self.closed.get_mut(usize::from(terminal.number)))
+        {
+            *own = closed;
         }
-        self.rewire();
+        self.field.apply(stimulus);
+        self.join_contacts();
     }
 
     fn step(&mut self, now_ms: u64) {
-        match self.field_power {
+        match self.field.power {
             false => self.power.seen(now_ms),
             true => self.power.gone(now_ms, true),
         }
-        if !self.field_power {
+        if !self.field.power {
             self.inputs.iter_mut().for_each(Input::power_up);
         }
         let driven = self.driven(None);
         for test in &mut self.tests {
             let at = test_node(test.number);
-            let grounded = self.wiring.is_grounded(at);
-            let supplied = self.wiring.joined(at) & Node::SUPPLY.mask() != 0;
-            test.step(now_ms, self.field_power, grounded, supplied);
-            let broken = self.faults.is_open(Terminal::new('T', test.number)) || grounded;
+            let grounded = self.field.wiring.is_grounded(at);
+            let supplied = self.field.wiring.joined(at) & Node::SUPPLY.mask() != 0;
+            test.step(now_ms, self.field.power, grounded, supplied);
+            let broken = self.field.faults.is_open(Terminal::new('T', test.number)) || grounded;
             let on = test.is_on();
             if let Some(lamp) = &mut test.lamp {
-                lamp.step(now_ms.saturating_sub(self.origin_ms), on && self.field_power, broken);
+                match self.field.power {
+                    true => lamp.step(now_ms.saturating_sub(self.origin_ms), on, broken),
+                    false => lamp.rest(),
+                }
             }
         }
-        if let Some(test) = self.pulse(now_ms).filter(|_| self.field_power) {
+        if let Some(test) = self.pulse(now_ms).filter(|_| self.field.power) {
             self.judge_pulse(test, now_ms);
         }
         for (number, input) in (0..).zip(&mut self.inputs) {
-            input.look(now_ms, self.wiring.is_high(input_node(number), driven));
+            input.look(now_ms, self.field.wiring.is_high(input_node(number), driven));
         }
         for circuit in &mut self.circuits {
-            match self.field_power {
+            match self.field.power {
                 true => circuit.step(now_ms, &self.inputs),
                 false => circuit.rest(),
             }
@@ -245,11 +233,12 @@ impl Device for DigitalInput {
             Reading::Status(number) => self.status(number),
             Reading::CombinedStatus => (0..INPUTS).all(|number| self.status(number)),
             // Marked an error bit by the manual: 1 is the error. (1734-UM013, Values and States of Tags)
-            Reading::Power => !self.field_power,
+            Reading::Power => !self.field.power,
             Reading::Muting(number) => {
-                self.tests.get(usize::from(number)).and_then(|test| test.lamp.as_ref()).is_none_or(MutingLamp::status)
+                let lamp = self.tests.get(usize::from(number)).and_then(|test| test.lamp.as_ref());
+                self.field.power && lamp.is_none_or(MutingLamp::status)
             }
-            Reading::TestStatus(number) => self.field_power && self.test_fault(number) == TestFault::None,
+            Reading::TestStatus(number) => self.field.power && self.test_fault(number) == TestFault::None,
             _ => false,
         };
         i32::from(bit)
@@ -271,8 +260,14 @@ impl Device for DigitalInput {
         }
     }
 
+    fn has(&self, terminal: Terminal) -> bool {
+        node(terminal).is_some()
+    }
+
     fn is_high(&self, terminal: Terminal) -> Option<bool> {
-        node(terminal).map(|node| self.wiring.is_high(node, self.driven(None)))
+        let high = self.field.wiring.is_high(node(terminal)?, self.driven(None));
+        // What is wired to a test output gets nothing through a broken wire.
+        Some(high && !(terminal.letter == 'T' && self.field.faults.is_open(terminal)))
     }
 
     fn power_up(&mut self, now_ms: u64) {

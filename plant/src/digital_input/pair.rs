@@ -70,9 +70,9 @@ impl Pair {
         self.safe
     }
 
-    /// Whether the channels have differed for the discrepancy time.
+    /// Whether the channels have differed for longer than the discrepancy time.
     pub fn is_discrepant_too_long(&self, now_ms: u64) -> bool {
         self.discrepancy_ms != 0
-            && self.discrepant_since_ms.is_some_and(|since| now_ms.saturating_sub(since) >= self.discrepancy_ms)
+            && self.discrepant_since_ms.is_some_and(|since| now_ms.saturating_sub(since) > self.discrepancy_ms)
     }
 }

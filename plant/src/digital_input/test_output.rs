@@ -116,6 +116,10 @@ impl TestOutput {
     pub fn step(&mut self, now_ms: u64, field_power: bool, grounded: bool, supplied: bool) {
         let stuck = supplied && !grounded && !self.is_on() && self.mode != TestMode::NotUsed;
         let lamp_is_out = self.lamp.as_ref().is_some_and(|lamp| !lamp.status());
+        if !field_power {
+            // What a pulse found before says nothing about the next one.
+            self.pulse_fault = None;
+        }
         let found = match self.pulse_fault {
             _ if !field_power => None,
             _ if self.is_on() && grounded => Some(TestFault::Overload),

@@ -115,3 +115,35 @@ fn outputs_when_no_packet_arrives_for_the_limit_then_they_are_off() {
     plant.through(81);
     assert_eq!(high(&plant), Some(false));
 }
+
+/// REQ-PLANT-004
+#[test]
+fn test_outputs_when_no_packet_arrives_then_each_does_what_its_fault_action_says() {
+    let settings = ModuleSettings::new("1734-IB8S")
+        .point(at("T2"), &[("Mode", "STANDARD"), ("FaultAction", "HOLD_LAST")])
+        .point(at("T3"), &[("Mode", "STANDARD"), ("FaultAction", "CLEAR_OFF")]);
+    let commands = vec![Command::Test(2), Command::Test(3)];
+    let mut plant = Plant::new(vec![Station::new(&settings, Vec::new(), commands).unwrap()]);
+    plant.through(20);
+    plant.station_mut(0).unwrap().receive([true, true].into_iter());
+    plant.through(81);
+    let high = |name| plant.stations()[0].is_high(at(name));
+    assert_eq!((high("T2"), high("T3")), (Some(true), Some(false)));
+}
+
+/// REQ-PLANT-005
+#[test]
+fn outputs_when_the_module_is_idle_then_they_are_in_the_safe_state() {
+    let settings = ModuleSettings::new("1734-OB8S").point(at("O0"), &[("Mode", "SAFETY"), ("Channel", "SINGLE")]);
+    let mut plant = Plant::new(vec![Station::new(&settings, Vec::new(), vec![Command::Output(0)]).unwrap()]);
+    let told = |plant: &mut Plant, time_ms| {
+        plant.through(time_ms);
+        plant.station_mut(0).unwrap().receive([true].into_iter());
+        plant.stations()[0].is_high(at("O0"))
+    };
+    assert_eq!(told(&mut plant, 20), Some(true));
+    plant.apply(0, &Stimulus::Running(false), 30);
+    assert_eq!(told(&mut plant, 40), Some(false));
+    plant.apply(0, &Stimulus::Running(true), 50);
+    assert_eq!(told(&mut plant, 60), Some(true));
+}

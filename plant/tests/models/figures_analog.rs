@@ -5,7 +5,7 @@ use twinrung_plant::Reading::{
     Underfrequency,
 };
 use twinrung_plant::analog_input::{AnalogInput, OVERCURRENT_MS, SENSOR_TEST_MS};
-use twinrung_plant::{Command, Fault, ModuleSettings, Stimulus};
+use twinrung_plant::{Command, Device, Fault, ModuleSettings, Refusal, Stimulus};
 
 use super::support::{Bench, amount, at};
 
@@ -156,7 +156,7 @@ fn equivalent_channels_when_they_differ_and_agree_then_the_figure_is_replayed() 
     // A: they differ by more than the deadband; B: the timer has run out.
     bench.at(1000, amount("C0", 7_000));
     let fault = bench.changes(1500, Status(0));
-    assert!(fault.len() == 2 && (1200..1240).contains(&fault[1].0), "{fault:?}");
+    assert!(fault.len() == 2 && (1201..1240).contains(&fault[1].0), "{fault:?}");
     // Both go on to report what they measure.
     assert_eq!(bench.read(1600, &[Data(0), Data(1), Status(1), FaultReason(0)]), [7_000, 5_000, 0, 5]);
     // C: they agree again; D: they have agreed for the discrepancy time.
@@ -281,4 +281,55 @@ fn field_power_when_lost_then_every_channel_is_0_with_its_reason() {
     let mut bench = one("MA_4_20", &[]);
     bench.at(0, amount("C0", 12_000)).at(100, Stimulus::FieldPower(false));
     assert_eq!(bench.read(100, &[Data(0), Status(0), FaultReason(0), Power]), [0, 0, 125, 0]);
+}
+
+/// The supply of a sensor at the input of another channel is 24 V there. REQ-PLANT-047
+#[test]
+fn sensor_supply_when_it_touches_another_input_then_both_channels_have_an_error() {
+    let supplied = vec![("Mode", "SAFETY"), ("Range", "MA_4_20"), ("Filter", "HZ_50")];
+    let mut bench = module(&[("C0", supplied), ("C1", channel("MA_4_20", &[]))]);
+    bench.at(0, amount("C0", 12_000)).at(0, amount("C1", 12_000));
+    assert_eq!(bench.read(900, &[Status(0), Status(1)]), [1, 1]);
+    bench.at(1000, Stimulus::Fault(at("S0"), Fault::To(at("C1"))));
+    assert_eq!(bench.read(2000, &[Status(0), FaultReason(0), Status(1), FaultReason(1)]), [0, 127, 0, 2]);
+    bench.at(2000, Stimulus::FaultGone(at("C1"), Fault::To(at("S0"))));
+    assert_eq!(bench.read(4000, &[Status(0), Status(1)]), [1, 1]);
+}
+
+/// Nobody knows what a voltage and a current give together: the model does not make a number up. REQ-PLANT-048
+#[test]
+fn channels_when_they_measure_different_quantities_then_their_short_is_refused() {
+    let mut bench =
+        module(&[("C0", channel("MA_4_20", &[])), ("C1", channel("V_10", &[])), ("C2", channel("MA_0_20", &[]))]);
+    let short = |other| Stimulus::Fault(at("C0"), Fault::To(at(other)));
+    assert_eq!(bench.device.accepts(&short("C1")), Err(Refusal::OtherQuantity(at("C1"))));
+    bench.at(0, amount("C0", 12_000)).at(0, amount("C2", 8_000)).at(0, short("C2"));
+    assert_eq!(bench.read(100, &[Data(0), Data(2)]), [3_750, 5_000]);
+}
+
+/// At a channel stands a number, and at the supply of a sensor that the module supplies 24 V.
+#[test]
+fn terminals_when_looked_at_then_only_a_supply_of_the_module_is_on() {
+    let supplied = vec![("Mode", "SAFETY"), ("Range", "MA_4_20")];
+    let mut bench = module(&[("C0", supplied)]);
+    bench.at(0, amount("C0", 12_000));
+    assert_eq!((bench.device.is_high(at("C0")), bench.device.is_high(at("S0"))), (None, Some(true)));
+    bench.at(10, Stimulus::Fault(at("S0"), Fault::Open));
+    assert_eq!(bench.device.is_high(at("S0")), Some(false));
+}
+
+/// REQ-PLANT-006
+#[test]
+fn settings_when_an_image_holds_extremes_that_no_table_allows_then_nothing_overflows() {
+    let extremes = [
+        ("Type", "EQUIVALENT"),
+        ("ChannelOffset", "2147483647"),
+        ("DiscrepancyDeadband", "-2147483648"),
+        ("Alarms", "ENABLE"),
+        ("LowAlarm", "-2147483648"),
+        ("HighLowDeadband", "-2147483648"),
+    ];
+    let mut bench = module(&[("C0", channel("V_10", &extremes)), ("C1", channel("V_10", &extremes))]);
+    bench.at(0, amount("C0", 5_000)).at(0, amount("C1", 5_000));
+    assert_eq!(bench.read(1000, &[Data(0), Status(0), Low(0)]), [7_500, 1, 1]);
 }

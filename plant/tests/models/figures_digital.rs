@@ -79,7 +79,7 @@ fn equivalent_pair_when_both_follow_within_the_time_then_data_is_on_while_both_a
 fn equivalent_pair_when_one_does_not_follow_then_both_fault_after_the_discrepancy_time() {
     let mut bench = Bench::new(DigitalInput::new(&pair("EQUIVALENT", "100")));
     bench.at(100, contact("I0", true));
-    assert_eq!(bench.changes(500, Status(1)), [(100, 1), (200, 0)]);
+    assert_eq!(bench.changes(500, Status(1)), [(100, 1), (201, 0)]);
     assert_eq!(bench.device.input_fault(0), InputFault::Discrepancy);
     bench.at(600, contact("I1", true));
     // Both are on now: no discrepancy, but not the safe state.
@@ -97,8 +97,8 @@ fn complementary_pair_when_one_does_not_follow_then_data_goes_off_on_and_both_fa
     assert_eq!(bench.read(150, &[Data(0), Data(1), Status(0)]), [1, 0, 1]);
     bench.at(400, contact("I0", false));
     assert_eq!(bench.read(400, &[Data(0), Data(1), Status(0)]), [0, 1, 1]);
-    assert_eq!(bench.read(499, &[Status(0), Status(1)]), [1, 1]);
-    assert_eq!(bench.read(500, &[Data(0), Data(1), Status(0), Status(1)]), [0, 1, 0, 0]);
+    assert_eq!(bench.read(500, &[Status(0), Status(1)]), [1, 1]);
+    assert_eq!(bench.read(501, &[Data(0), Data(1), Status(0), Status(1)]), [0, 1, 0, 0]);
     bench.at(600, contact("I1", true));
     assert_eq!(bench.changes(3000, Status(0)), [(600, 0), (599 + 1000, 1)]);
 }

@@ -133,3 +133,26 @@ fn outputs_when_the_field_power_or_the_connection_is_lost_then_they_are_off() {
     bench.device.output_connection_lost(301);
     assert_eq!(bench.read(301, &[Readback(0), Readback(1), Status(0)]), [0, 0, 1]);
 }
+
+/// Single outputs whose wires touch: the one that is off finds the 24 V of the other, and is well again when the wires are parted.
+/// Only what the field power itself holds high is stuck. REQ-PLANT-032
+#[test]
+fn single_outputs_when_their_wires_touched_then_the_one_that_was_off_is_not_stuck_for_good() {
+    let mut bench = module("SAFETY", "SINGLE");
+    bench.at(100, Stimulus::Fault(at("O0"), Fault::To(at("O1")))).command(200, &[(O0, false), (O1, true)]);
+    assert_eq!(bench.read(200, &[Status(0), Readback(0)]), [0, 1]);
+    assert_eq!(bench.device.fault(0), OutputFault::OutputOn);
+    bench.at(300, Stimulus::Repaired(at("O0")));
+    assert_eq!(bench.read(5000, &[Status(0), Status(1), Readback(0)]), [1, 1, 0]);
+}
+
+/// REQ-PLANT-033
+#[test]
+fn outputs_when_the_field_power_is_back_then_they_follow_their_command_again() {
+    let mut bench = module("SAFETY", "DUAL");
+    bench.command(100, &BOTH_ON).at(200, Stimulus::FieldPower(false)).command(300, &BOTH_OFF);
+    bench.at(400, Stimulus::FieldPower(true));
+    assert_eq!(bench.read(400, &[Readback(0), Readback(1), Status(0)]), [0, 0, 1]);
+    bench.command(500, &BOTH_ON).at(600, Stimulus::FieldPower(false)).at(700, Stimulus::FieldPower(true));
+    assert_eq!(bench.read(700, &[Readback(0), Readback(1), Status(0)]), [1, 1, 1]);
+}

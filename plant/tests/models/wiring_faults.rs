@@ -1,8 +1,8 @@
 //! Faults of wires at a 1734-IB8S, of its power, and what the module makes of them. REQ-PLANT-020 to REQ-PLANT-023
 
-use twinrung_plant::Reading::{CombinedStatus, Data, Power, Status, TestStatus};
+use twinrung_plant::Reading::{CombinedStatus, Data, Muting, Power, Status, TestStatus};
 use twinrung_plant::digital_input::{DigitalInput, InputFault, TestFault};
-use twinrung_plant::{Fault, ModuleSettings, Stimulus};
+use twinrung_plant::{Command, Device, Fault, ModuleSettings, Stimulus};
 
 use super::support::{Bench, at, contact, pair};
 
@@ -122,6 +122,51 @@ fn field_power_when_lost_at_a_complementary_pair_then_its_data_is_off_and_on() {
 #[test]
 fn point_when_it_is_not_used_then_its_data_is_off_and_its_status_normal() {
     let mut bench = Bench::new(DigitalInput::new(&ModuleSettings::new("1734-IB8S")));
-    assert!(twinrung_plant::Device::accepts(&bench.device, &contact("I0", true)).is_err());
+    assert!(bench.device.accepts(&contact("I0", true)).is_err());
     assert_eq!(bench.read(100, &[Data(0), Status(0), CombinedStatus]), [0, 1, 1]);
+}
+
+/// Every status, that of a lamp and of a test output with an old error included. REQ-PLANT-022
+#[test]
+fn field_power_when_lost_then_the_muting_status_is_0_and_no_lamp_is_tested() {
+    let settings = ModuleSettings::new("1734-IB8S").point(at("T1"), &[("Mode", "MUTING_LAMP")]);
+    let mut bench = Bench::new(DigitalInput::new(&settings));
+    bench.command(0, &[(Command::Test(1), true)]).at(100, Stimulus::Fault(at("T1"), Fault::Open));
+    assert_eq!(bench.read(6000, &[Muting(1)]), [0]);
+    bench.at(6500, Stimulus::FieldPower(false)).at(6500, Stimulus::Repaired(at("T1")));
+    assert_eq!(bench.read(9500, &[Muting(1), Muting(3), TestStatus(1)]), [0, 0, 0]);
+    bench.at(9600, Stimulus::FieldPower(true));
+    // The test at 9 s found no lamp, since there was no power.
+    assert_eq!(bench.read(11_999, &[Muting(1)]), [0]);
+    assert_eq!(bench.read(12_000, &[Muting(1)]), [1]);
+}
+
+/// REQ-PLANT-022
+#[test]
+fn field_power_when_back_then_what_a_pulse_found_before_is_no_error() {
+    let mut bench = closed(&two(["T0", "T1"]));
+    bench.at(100, Stimulus::Fault(at("I0"), Fault::ToSupply)).at(400, Stimulus::FieldPower(false));
+    bench.at(400, Stimulus::Repaired(at("I0"))).at(1289, Stimulus::FieldPower(true));
+    // The last error was that of 399 ms; the latch time has run out before the next pulse of T0 at 1440 ms.
+    assert_eq!(bench.read(1399, &[TestStatus(0)]), [1]);
+}
+
+/// An image that the compiler did not make: what its tables do not allow is not set. REQ-PLANT-006
+#[test]
+fn settings_when_an_image_holds_what_no_table_allows_then_they_are_not_set() {
+    for source in ["T250", "T246", "T4"] {
+        let mut bench = closed(&two([source, "T1"]));
+        assert_eq!(bench.read(300, &[Data(0), Status(0), Data(1), Status(1)]), [0, 0, 1, 1], "{source}");
+        assert_eq!(bench.device.input_fault(0), InputFault::Configuration);
+    }
+}
+
+/// What is wired to a test output gets nothing through a broken wire.
+#[test]
+fn test_output_when_its_wire_is_broken_then_nothing_reaches_what_is_wired_to_it() {
+    let settings = ModuleSettings::new("1734-IB8S").point(at("T2"), &[("Mode", "POWER_SUPPLY")]);
+    let mut bench = Bench::new(DigitalInput::new(&settings));
+    assert_eq!(bench.device.is_high(at("T2")), Some(true));
+    bench.at(10, Stimulus::Fault(at("T2"), Fault::Open));
+    assert_eq!(bench.device.is_high(at("T2")), Some(false));
 }

@@ -37,7 +37,18 @@ pub fn seeds(target: Target) -> std::io::Result<Vec<(String, Vec<u8>)>> {
             }
         }
     }
+    if target == Target::Scenario {
+        list.push(("setups-that-multiply".to_owned(), setups_that_multiply().into_bytes()));
+    }
     Ok(list)
+}
+
+/// Setups that each begin with eight others: laid out they would be 8^15 lines.
+fn setups_that_multiply() -> String {
+    let with = |setup: usize| format!("  with \"{setup}\"\n").repeat(8);
+    let setups: String = (1..15).map(|setup| format!("setup \"{setup}\"\n{}end\n", with(setup - 1))).collect();
+    let first = "setup \"0\"\n  when Reset is on\n  then K1 is off\nend\n";
+    format!("{first}{setups}scenario \"x\"\n{}  then K1 is off\nend\n", with(14))
 }
 
 /// The image of a sample; nothing for one that is refused.

@@ -13,8 +13,10 @@ fn examples() -> Vec<String> {
 #[test]
 fn page_when_its_examples_are_played_then_all_are_met_and_cover_the_heater() {
     let examples = examples();
-    assert_eq!(examples.len(), 2);
-    let found: Vec<_> = examples.iter().map(|example| report(&heater(), example)).collect();
+    let sample = text(&project_path("samples/estop-with-contactors/project.rll"));
+    let projects = [heater(), heater(), sample];
+    assert_eq!(examples.len(), projects.len());
+    let found: Vec<_> = examples.iter().zip(projects).map(|(example, project)| report(&project, example)).collect();
     let not_met: Vec<String> = found.iter().flat_map(failures).collect();
     assert_eq!(not_met, [] as [String; 0]);
     assert_eq!(missing(&found[1]), [] as [&str; 0]);

@@ -52,6 +52,27 @@ const REFUSED: &[(&str, &str)] = &[
     ),
     ("given Field_In terminal 0 shorted to terminal 0", "E0507 2: the wire at I0 cannot touch itself"),
     (
+        "then Field_In terminal 6 is off",
+        "E0507 2: the project does not use the terminal I6; set its mode in the module: `POINT I06 (Mode := SAFETY);`",
+    ),
+    ("then Field_Out terminal 0 is off +- 1", "E0503 2: `Field_Out terminal 0` is on or off, which has no tolerance"),
+    (
+        "hold Field_In terminal 0 repaired for 1 s",
+        "E0507 2: `repaired` is not held: it ends what went wrong before; write `when ... repaired`",
+    ),
+    (
+        "hold Field_In power restored for 1 s",
+        "E0507 2: `restored` is not held: it ends what went wrong before; write `when ... restored`",
+    ),
+    (
+        "hold Field_In running for 1 s",
+        "E0507 2: `running` is not held: it ends what went wrong before; write `when ... running`",
+    ),
+    (
+        "given Field_In terminal 0 is 9223372036854775.999",
+        "E0503 2: `9223372036854775.999` is no value of a terminal; on, off, or a number with three decimals at most",
+    ),
+    (
         "given Rack terminal 0 is on",
         "E0502 2: `Rack` is no module with terminals; modules with terminals here: Field_In, Field_Out",
     ),
@@ -104,4 +125,70 @@ fn sensor_and_lamp_when_they_break_then_the_tags_of_their_modules_follow() {
         then Panel:I.Muting01Status is off not before 2 s within 7020 ms\n\
         at 10 s\nwhen Panel terminal T1 repaired\nthen Panel:I.Muting01Status is on within 3020 ms\nend\n";
     assert_eq!(failures(&report(&tank(), scenario)), [] as [String; 0]);
+}
+
+/// At a channel stands a number. REQ-PLANT-051
+#[test]
+fn channel_when_looked_at_as_on_or_off_then_it_is_refused() {
+    let scenario = "scenario \"x\"\nthen Tank terminal 0 is on\nend\n";
+    assert_eq!(refused(&tank(), scenario), ["E0507 2: C0 has a number, not on or off; look at the data in its tag"]);
+}
+
+/// A bit of an analog value follows the terminals as the value does. REQ-PLANT-050
+#[test]
+fn bit_when_its_number_follows_a_terminal_then_driving_it_is_refused() {
+    let scenario =
+        "scenario \"x\"\ngiven Tank terminal 0 is 12.0\nwhen Tank:I.Ch0Data.3 is on\nthen Full is off\nend\n";
+    let expected = "E0507 3: `Tank:I.Ch0Data.3` follows the terminals of Tank, which this scenario acts on; say what happens at \
+                    the terminal: `when Tank terminal 0 is on`";
+    assert_eq!(refused(&tank(), scenario), [expected]);
+}
+
+/// What is never judged is refused. REQ-TEST-005
+#[test]
+fn never_when_it_looks_at_a_terminal_and_no_scenario_is_played_there_then_it_is_refused() {
+    let never = "never Field_Out terminal 0 is on and K1 is off\n";
+    let on_tags = "scenario \"x\"\nthen K1 is off\nend\n";
+    let expected = "E0507 1: no scenario of the file is played at terminals, so that this is never looked at; act at a terminal in \
+                    a scenario of the file, or look at the tag";
+    assert_eq!(refused(&estop(), &format!("{never}{on_tags}")), [expected]);
+    let at_terminals = "scenario \"y\"\ngiven Field_In terminal 0 is on\nthen K1 is off\nend\n";
+    assert_eq!(failures(&report(&estop(), &format!("{never}{on_tags}{at_terminals}"))), [] as [String; 0]);
+    // It is looked up where it stands, whatever the scenarios are.
+    let unused = format!("never Field_In terminal 6 is on\n{on_tags}");
+    assert!(refused(&estop(), &unused)[0].starts_with("E0507 1: the project does not use the terminal I6"));
+}
+
+/// What a hold ends is what it began: not a fault that was there before, nor one that came later. REQ-TEST-007
+#[test]
+fn hold_when_it_ends_at_a_terminal_then_what_was_before_or_came_later_stays() {
+    let on = |lines: &str| {
+        failures(&report(&estop(), &format!("scenario \"x\"\ngiven Field_In terminal 2 is on\n{lines}\nend\n")))
+    };
+    let reset = "Field_In:I.Pt02Data";
+    let cases = [
+        // A broken wire that was there before is not mended by the end of a short.
+        format!("given Field_In terminal 2 open\nat 100 ms\nhold Field_In terminal 2 shorted to 0 V for 100 ms\nat 400 ms\nthen {reset} is off"),
+        // The same fault twice: it was there before.
+        format!("given Field_In terminal 2 open\nat 100 ms\nhold Field_In terminal 2 open for 100 ms\nat 400 ms\nthen {reset} is off"),
+        // What comes later stays.
+        format!("hold Field_In terminal 2 open for 100 ms\nat 60 ms\nwhen Field_In terminal 2 open\nat 400 ms\nthen {reset} is off"),
+        format!("hold Field_In lost for 100 ms\nat 60 ms\nwhen Field_In lost\nat 400 ms\nthen Field_In:I.ConnectionFaulted is on"),
+        format!("given Field_In idle\nat 100 ms\nhold Field_In idle for 100 ms\nat 400 ms\nthen Field_In:I.RunMode is off"),
+        // And a hold alone ends.
+        format!("hold Field_In terminal 2 open for 100 ms\nat 60 ms\nthen {reset} is off\nat 400 ms\nthen {reset} is on"),
+        "hold Field_In idle for 100 ms\nat 60 ms\nthen Field_In:I.RunMode is off\nat 400 ms\nthen Field_In:I.RunMode is on".to_owned(),
+    ];
+    let found: Vec<Vec<String>> = cases.iter().map(|lines| on(lines)).collect();
+    assert_eq!(found, vec![Vec::<String>::new(); cases.len()]);
+}
+
+/// A module that looks at its pulses each µs counts for a thousand. REQ-PLANT-053
+#[test]
+fn scenario_when_its_modules_take_too_long_to_simulate_then_it_is_refused_with_what_they_may_have() {
+    let scenario = "scenario \"x\"\ngiven Tank terminal 0 is 12.0\nat 15 min\nthen Full is off\nend\n";
+    let found = refused(&tank().replace("MA_4_20", "TACHOMETER"), scenario);
+    let expected =
+        "E0504 1: a scenario at these terminals lasts at most 863136 ms, since each ms of each module is simulated";
+    assert_eq!(found, [expected]);
 }

@@ -129,6 +129,19 @@ fn names_values_times_and_blocks_when_they_are_none_then_refused_with_a_way_out(
         ("at 1 s\nat 20 ms", "E0504 3: 20 ms is before the moment above, which is 1000 ms"),
         ("at 100000 min", "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms"),
         (
+            "then Warm is off within 99999999999 min",
+            "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms",
+        ),
+        (
+            "then Warm stays off for 99999999999 min",
+            "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms",
+        ),
+        ("then fault 4/20 within 99999999999 min", "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms"),
+        (
+            "then Warm is off not before 18446744073709551615 ms within 5 ms",
+            "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms",
+        ),
+        (
             "then Run is off not before 20 ms",
             "E0504 2: `not before` needs the time by which it must be there; write `not before 280 ms within 300 ms`",
         ),
@@ -155,4 +168,23 @@ fn setups_when_one_begins_with_itself_or_stands_twice_then_refused() {
         refused(&heater(), text),
         ["E0505 1: the scenario `x` expects nothing; say what must happen with `then` or `never`"]
     );
+}
+
+/// A setup that never ends is refused where it stands, and nothing is counted on from it. REQ-TEST-015
+#[test]
+fn setup_when_its_times_are_without_end_then_it_is_refused_once() {
+    let text = "setup \"a\"\nthen Run is off within 18446744073709551615 ms\nend\n\
+                scenario \"x\"\nwith \"a\"\nthen Run is off\nend\n";
+    assert_eq!(refused(&heater(), text), ["E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms"]);
+}
+
+/// Setups of setups multiply: fifteen of them with eight `with` each are 8^15 lines. REQ-TEST-015
+#[test]
+fn setups_when_they_multiply_then_the_scenario_is_refused_before_it_is_laid_out() {
+    let with = |setup: usize| format!("with \"{setup}\"\n").repeat(8);
+    let setups: String = (1..15).map(|setup| format!("setup \"{setup}\"\n{}end\n", with(setup - 1))).collect();
+    let text = format!("setup \"0\"\nthen Run is off\nend\n{setups}scenario \"x\"\n{}end\n", with(14));
+    let found = refused(&heater(), &text);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].starts_with("E0505 ") && found[0].contains("has at most 10000 lines"), "{found:?}");
 }

@@ -16,6 +16,7 @@ use super::{Action, Change, Expectation, Expected};
 use crate::names;
 use crate::signal::{Signal, Value};
 use crate::site::Site;
+use terminals::Standing;
 
 /// Setups in setups.
 const DEPTH_MAX: usize = 16;
@@ -23,6 +24,8 @@ const DEPTH_MAX: usize = 16;
 const SCANS_MAX: u64 = 4_000_000;
 /// Actions of one scenario: a `toggle` is one for each change.
 const ACTIONS_MAX: usize = 1_000_000;
+/// Lines of one scenario with those of its setups, which may begin with setups in turn. Each of what is joined with commas counts.
+const LINES_MAX: usize = 10_000;
 
 /// The blocks of a file by name.
 pub struct Blocks<'a> {
@@ -79,6 +82,10 @@ pub struct Expansion<'a> {
     pub acts_until_ms: u64,
     /// What was driven last, by where it is.
     driven: Vec<(Signal, i32)>,
+    /// What stands at the terminals.
+    standing: Standing,
+    /// Lines so far, those of setups included.
+    lines: usize,
     open: Vec<&'a str>,
 }
 
@@ -115,6 +122,8 @@ impl<'a> Expansion<'a> {
             end_ms: 0,
             acts_until_ms: 0,
             driven: Vec::new(),
+            standing: Standing::default(),
+            lines: 0,
             open: Vec::new(),
         }
     }
@@ -129,8 +138,28 @@ impl<'a> Expansion<'a> {
             self.end_ms = moment.begin_ms;
         }
         for line in &block.lines {
-            if let Err(finding) = self.line(line, &mut moment) {
+            if self.lines > LINES_MAX {
+                return;
+            }
+            if let Err(finding) = self.counted(line).and_then(|()| self.line(line, &mut moment)) {
                 self.findings.push(*finding);
+            }
+        }
+    }
+
+    /// Setups of setups multiply: what is too long is refused before it is laid out.
+    fn counted(&mut self, line: &Line) -> Result<(), Box<Finding>> {
+        self.lines += match &line.kind {
+            LineKind::Given(settings) | LineKind::When(settings) | LineKind::Hold(settings, _) => settings.len(),
+            LineKind::Then { checks, .. } | LineKind::Stays(checks, _) => checks.len(),
+            LineKind::Never(never) => never.conditions.len(),
+            _ => 1,
+        };
+        match self.lines > LINES_MAX {
+            false => Ok(()),
+            true => {
+                let message = format!("a scenario has at most {LINES_MAX} lines, those of its setups included");
+                Err(finding(&SCENARIO_BLOCK, line.span, message))
             }
         }
     }
@@ -186,7 +215,7 @@ impl<'a> Expansion<'a> {
                 let kind = Expected::Fault(number(fault_type)?, number(code)?);
                 let text = format!("then fault {}/{}{}", fault_type.text, code.text, within_text(within.as_ref()));
                 let until_ms = self.until(within.as_ref(), moment.now_ms)?;
-                self.expect(text, line.span, (moment.now_ms, until_ms), kind);
+                self.expect(text, line.span, (moment.now_ms, until_ms), kind)?;
             }
             LineKind::Never(never) => {
                 self.at_terminals |= never.conditions.iter().any(|condition| condition.terminal.is_some());
@@ -227,11 +256,12 @@ impl<'a> Expansion<'a> {
         if self.open.contains(&name) || self.open.len() >= DEPTH_MAX {
             return Err(finding(&SCENARIO_BLOCK, span, format!("the setup `{name}` begins with itself")));
         }
+        self.moment(self.next_begin(), span)?;
         self.open.push(name);
         self.block(setup);
         self.open.pop();
         if !(self.actions.is_empty() && self.expectations.is_empty()) {
-            moment.begin_ms = self.next_begin();
+            moment.begin_ms = self.moment(self.next_begin(), span)?;
             moment.now_ms = moment.begin_ms;
         }
         Ok(())
@@ -243,15 +273,24 @@ impl<'a> Expansion<'a> {
 
     /// Does something; where it is held, what it was before comes back at that time in ms.
     fn setting(&mut self, setting: &Setting, at_ms: u64, until_ms: Option<u64>) -> Result<(), Box<Finding>> {
-        let (done, span) = match setting {
+        let (module, stimulus, span) = match setting {
             Setting::Value { name, value } => {
                 let (signal, before) = self.set(name, value, at_ms)?;
                 return until_ms.map_or(Ok(()), |until_ms| self.drive(name, signal, before, until_ms));
             }
-            Setting::Terminal { terminal, event, span } => (self.at_terminal(terminal, event, *span, at_ms)?, *span),
-            Setting::Module { module, event, span } => (self.at_module(module, *event, *span, at_ms)?, *span),
+            Setting::Terminal { terminal, event, span } => {
+                let (module, stimulus) = self.at_terminal(terminal, event, *span)?;
+                (module, stimulus, *span)
+            }
+            Setting::Module { module, event, span } => {
+                let (module, stimulus) = self.at_module(module, *event)?;
+                (module, stimulus, *span)
+            }
         };
-        until_ms.map_or(Ok(()), |until_ms| self.happen(done.module, done.ends, until_ms, span))
+        match until_ms {
+            None => self.happen(module, stimulus, at_ms, span),
+            Some(until_ms) => self.held(module, stimulus, (at_ms, until_ms), span),
+        }
     }
 
     /// Sets an input; what it was before.
@@ -327,7 +366,7 @@ impl<'a> Expansion<'a> {
         at_ms: u64,
     ) -> Result<(), Box<Finding>> {
         let sooner_ms = match not_before {
-            Some(time) => at_ms.saturating_add(self.time(time)?),
+            Some(time) => self.moment(at_ms.saturating_add(self.time(time)?), time.span)?,
             None => at_ms,
         };
         for condition in checks {
@@ -350,7 +389,7 @@ impl<'a> Expansion<'a> {
             if self.first_scan(sooner_ms) > until_ms {
                 return Err(Box::new(no_scan(condition.span, sooner_ms, until_ms, self.period_ms)));
             }
-            self.expect(text, condition.span, (at_ms, until_ms), Expected::Reached(check, sooner_ms));
+            self.expect(text, condition.span, (at_ms, until_ms), Expected::Reached(check, sooner_ms))?;
         }
         Ok(())
     }
@@ -365,7 +404,7 @@ impl<'a> Expansion<'a> {
             let check = self.check(condition)?;
             let text =
                 format!("then {} for {}", condition_text(condition).replacen(" is ", " stays ", 1), time_text(time));
-            self.expect(text, condition.span, (at_ms, until_ms), Expected::Stays(check));
+            self.expect(text, condition.span, (at_ms, until_ms), Expected::Stays(check))?;
         }
         Ok(())
     }
@@ -391,9 +430,17 @@ impl<'a> Expansion<'a> {
         at_ms.div_ceil(self.period_ms).saturating_mul(self.period_ms)
     }
 
-    fn expect(&mut self, text: String, span: Span, (from_ms, until_ms): (u64, u64), kind: Expected) {
+    fn expect(
+        &mut self,
+        text: String,
+        span: Span,
+        (from_ms, until_ms): (u64, u64),
+        kind: Expected,
+    ) -> Result<(), Box<Finding>> {
+        self.moment(until_ms, span)?;
         self.expectations.push(Expectation { text, span, from_ms, until_ms, kind });
         self.end_ms = self.end_ms.max(until_ms);
+        Ok(())
     }
 
     fn act(&mut self, at_ms: u64, change: Change, span: Span) -> Result<(), Box<Finding>> {

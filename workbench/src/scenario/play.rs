@@ -84,6 +84,7 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
         for action in &scenario.actions {
             if let Change::Drive { signal, .. } = &action.change
                 && let Some(range) = cells(*signal)
+                && !frozen.contains(&range)
             {
                 controller.freeze_also(range);
                 frozen.push(range);

@@ -44,8 +44,12 @@ impl Check {
 
     fn at_terminal(sites: &[Site], place: &scenario::Terminal, condition: &Condition) -> Result<Check, Box<Finding>> {
         let (position, station) = terminals::module(sites, &place.module)?;
-        let terminal = terminals::terminal(&station, &place.text, place.span)?;
+        let terminal = terminals::looked_at(&station, place)?;
         let name = condition.name.as_str();
+        if let Some(literal) = &condition.tolerance {
+            let message = format!("`{name}` is on or off, which has no tolerance");
+            return Err(Box::new(Finding::new(&SCENARIO_VALUE, literal.span, message)));
+        }
         Ok(Check {
             name: name.to_owned(),
             place: Place::Terminal(position, terminal),

@@ -7,6 +7,7 @@ use twinrung_bytecode::image::{ModuleRecord, TagKind};
 use twinrung_bytecode::index::TagIndex;
 use twinrung_plant::{Command, ModuleSettings, Plant, Reading, Station, Terminal};
 
+use crate::drive::cells;
 use crate::names;
 use crate::signal::Signal;
 use declaration::Declaration;
@@ -38,9 +39,10 @@ impl Site {
         self.inputs.get(position)
     }
 
-    /// Whether a value is a member of the input tag, which follows the model.
+    /// Whether a value is a member of the input tag, which follows the model, or a bit of one.
     pub fn drives(&self, signal: Signal) -> bool {
-        self.inputs.iter().any(|(_, own)| *own == signal)
+        let cell = cells(signal);
+        cell.is_some() && self.inputs.iter().any(|(_, own)| cells(*own) == cell)
     }
 }
 

@@ -9,12 +9,6 @@ use super::{Expansion, finding};
 use crate::scenario::Change;
 use crate::site::Site;
 
-/// What was done to a terminal or a module, and what ends that.
-pub(super) struct Done {
-    pub module: usize,
-    pub ends: Stimulus,
-}
-
 /// The module of a scenario's words: its position, and the module as at power-up.
 pub(in crate::scenario) fn module(sites: &[Site], name: &Name) -> Result<(usize, Station), Box<Finding>> {
     let position = sites.iter().position(|site| name.is(&site.name));
@@ -32,8 +26,22 @@ pub(in crate::scenario) fn module(sites: &[Site], name: &Name) -> Result<(usize,
 /// A terminal of a module: a number is a point of it.
 pub(in crate::scenario) fn terminal(station: &Station, text: &str, span: Span) -> Result<Terminal, Box<Finding>> {
     let number = text.parse().ok().map(|number| station.point(number));
-    let terminal = number.or_else(|| Terminal::parse(text)).filter(|one| station.is_high(*one).is_some());
+    let terminal = number.or_else(|| Terminal::parse(text)).filter(|one| station.has(*one));
     terminal.ok_or_else(|| finding(&SCENARIO_TERMINAL, span, format!("the module has no terminal `{text}`")))
+}
+
+/// A terminal at which a check may look: whether 24 V stand there.
+pub(in crate::scenario) fn looked_at(station: &Station, place: &tree::Terminal) -> Result<Terminal, Box<Finding>> {
+    let own = terminal(station, &place.text, place.span)?;
+    // What can be repaired is wired.
+    station.accepts(&Stimulus::Repaired(own)).map_err(|refusal| refused(&refusal, place.span))?;
+    if station.is_high(own).is_none() {
+        let message = format!("{own} has a number, not on or off");
+        return Err(Box::new(
+            Finding::new(&SCENARIO_TERMINAL, place.span, message).help("look at the data in its tag"),
+        ));
+    }
+    Ok(own)
 }
 
 fn refused(refusal: &Refusal, span: Span) -> Box<Finding> {
@@ -66,18 +74,83 @@ fn thousandths(text: &str) -> Option<i64> {
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let whole: i64 = whole.parse().ok()?;
     let part: i64 = if fraction.is_empty() { 0 } else { format!("{fraction:0<3}").parse().ok()? };
-    (fraction.len() <= 3).then(|| Some(sign * (whole.checked_mul(1000)? + part)))?
+    (fraction.len() <= 3).then(|| Some(sign * whole.checked_mul(1000)?.checked_add(part)?))?
+}
+
+/// What stands at the terminals of each module, and how the module is, after all that was said so far.
+#[derive(Default)]
+pub(super) struct Standing {
+    /// By module: devices, faults of wires, and what befell the module itself.
+    modules: Vec<Vec<Stimulus>>,
+    /// Until when something is held at a terminal, in ms.
+    held_until_ms: u64,
+}
+
+impl Standing {
+    fn of(&self, module: usize) -> &[Stimulus] {
+        self.modules.get(module).map_or(&[], Vec::as_slice)
+    }
+
+    fn happened(&mut self, module: usize, stimulus: Stimulus) {
+        if self.modules.len() <= module {
+            self.modules.resize(module + 1, Vec::new());
+        }
+        let Some(own) = self.modules.get_mut(module) else { return };
+        own.retain(|other| !replaces(stimulus, *other));
+        if !matches!(stimulus, Stimulus::Repaired(_) | Stimulus::FaultGone(..)) {
+            own.push(stimulus);
+        }
+    }
+
+    /// What brings back what stood before; nothing where that is what is held. At first nothing is closed, no sensor gives
+    /// anything, and modules are there, run and have power.
+    fn before(&self, module: usize, stimulus: Stimulus, station: &Station) -> Option<Stimulus> {
+        let last = self.of(module).iter().find(|other| replaces(stimulus, **other)).copied();
+        match stimulus {
+            Stimulus::Fault(..) if last.is_some() => None,
+            Stimulus::Fault(terminal, fault) => Some(Stimulus::FaultGone(terminal, fault)),
+            _ if last.is_some() => last,
+            Stimulus::Signal(terminal, _) => {
+                Some(Stimulus::Signal(terminal, contact(station, terminal, Signal::Contact(false))))
+            }
+            Stimulus::FieldPower(_) => Some(Stimulus::FieldPower(true)),
+            Stimulus::Present(_) => Some(Stimulus::Present(true)),
+            Stimulus::Running(_) => Some(Stimulus::Running(true)),
+            Stimulus::Repaired(_) | Stimulus::FaultGone(..) => None,
+        }
+    }
+}
+
+/// Whether a later event takes the place of another one of the same module.
+fn replaces(later: Stimulus, other: Stimulus) -> bool {
+    let short = |terminal: Terminal, fault: Fault| match fault {
+        Fault::To(other) => Some((other, Fault::To(terminal))),
+        _ => None,
+    };
+    match (later, other) {
+        (Stimulus::Signal(own, _), Stimulus::Signal(other, _)) => own == other,
+        (
+            Stimulus::Fault(at, fault) | Stimulus::FaultGone(at, fault),
+            Stimulus::Fault(own, other) | Stimulus::FaultGone(own, other),
+        ) => (at, fault) == (own, other) || short(at, fault) == Some((own, other)),
+        (Stimulus::Repaired(at), Stimulus::Fault(own, fault) | Stimulus::FaultGone(own, fault)) => {
+            at == own || fault == Fault::To(at)
+        }
+        (Stimulus::FieldPower(_), Stimulus::FieldPower(_))
+        | (Stimulus::Present(_), Stimulus::Present(_))
+        | (Stimulus::Running(_), Stimulus::Running(_)) => true,
+        _ => false,
+    }
 }
 
 impl Expansion<'_> {
-    /// Something happens at a terminal.
+    /// What happens at a terminal, looked up.
     pub(super) fn at_terminal(
-        &mut self,
+        &self,
         place: &tree::Terminal,
         event: &TerminalEvent,
         span: Span,
-        at_ms: u64,
-    ) -> Result<Done, Box<Finding>> {
+    ) -> Result<(usize, Stimulus), Box<Finding>> {
         let (position, station) = module(self.sites, &place.module)?;
         let own = terminal(&station, &place.text, place.span)?;
         let stimulus = match event {
@@ -98,47 +171,21 @@ impl Expansion<'_> {
             TerminalEvent::Repaired => Stimulus::Repaired(own),
         };
         station.accepts(&stimulus).map_err(|refusal| refused(&refusal, span))?;
-        let ends = match stimulus {
-            Stimulus::Signal(own, _) => Stimulus::Signal(own, self.terminal_before(position, own, &station)),
-            _ => Stimulus::Repaired(own),
-        };
-        self.happen(position, stimulus, at_ms, span)?;
-        Ok(Done { module: position, ends })
+        Ok((position, stimulus))
     }
 
-    /// Something happens to a module.
-    pub(super) fn at_module(
-        &mut self,
-        name: &Name,
-        event: ModuleEvent,
-        span: Span,
-        at_ms: u64,
-    ) -> Result<Done, Box<Finding>> {
+    /// What happens to a module, looked up.
+    pub(super) fn at_module(&self, name: &Name, event: ModuleEvent) -> Result<(usize, Stimulus), Box<Finding>> {
         let (position, _) = module(self.sites, name)?;
-        let (stimulus, ends) = match event {
-            ModuleEvent::Power(on) => (Stimulus::FieldPower(on), Stimulus::FieldPower(!on)),
-            ModuleEvent::Present(present) => (Stimulus::Present(present), Stimulus::Present(!present)),
-            ModuleEvent::Running(running) => (Stimulus::Running(running), Stimulus::Running(!running)),
+        let stimulus = match event {
+            ModuleEvent::Power(on) => Stimulus::FieldPower(on),
+            ModuleEvent::Present(present) => Stimulus::Present(present),
+            ModuleEvent::Running(running) => Stimulus::Running(running),
         };
-        self.happen(position, stimulus, at_ms, span)?;
-        Ok(Done { module: position, ends })
+        Ok((position, stimulus))
     }
 
-    /// What stood at a terminal last; at first nothing is closed, and sensors give nothing.
-    fn terminal_before(&self, position: usize, terminal: Terminal, station: &Station) -> Signal {
-        let of_it = |change: &Change| match change {
-            Change::Plant { module, stimulus: Stimulus::Signal(own, signal), .. }
-                if (*module, *own) == (position, terminal) =>
-            {
-                Some(*signal)
-            }
-            _ => None,
-        };
-        let last = self.actions.iter().rev().find_map(|action| of_it(&action.change));
-        last.unwrap_or_else(|| contact(station, terminal, Signal::Contact(false)))
-    }
-
-    /// Something happens to a module at a time.
+    /// Something happens to a module at a time; what is held of the same kind from before ends with it.
     pub(super) fn happen(
         &mut self,
         module: usize,
@@ -147,11 +194,45 @@ impl Expansion<'_> {
         span: Span,
     ) -> Result<(), Box<Finding>> {
         self.at_terminals = true;
-        // A later one at the same terminal ends what is held there.
-        if let Stimulus::Signal(terminal, _) = stimulus {
-            self.actions.retain(|action| action.at_ms <= at_ms || !of_terminal(&action.change, module, terminal));
+        if self.standing.held_until_ms > at_ms {
+            let ends = |change: &Change| matches!(change, Change::Plant { module: own, stimulus: other } if *own == module && replaces(stimulus, *other));
+            self.actions.retain(|action| action.at_ms <= at_ms || !ends(&action.change));
         }
+        self.standing.happened(module, stimulus);
         self.act(at_ms, Change::Plant { module, stimulus }, span)
+    }
+
+    /// Something happens to a module for a time, after which it is as it was before.
+    pub(super) fn held(
+        &mut self,
+        module: usize,
+        stimulus: Stimulus,
+        (at_ms, until_ms): (u64, u64),
+        span: Span,
+    ) -> Result<(), Box<Finding>> {
+        let mends = match stimulus {
+            Stimulus::Repaired(_) => Some("repaired"),
+            Stimulus::FieldPower(true) | Stimulus::Present(true) => Some("restored"),
+            Stimulus::Running(true) => Some("running"),
+            _ => None,
+        };
+        if let Some(word) = mends {
+            let message = format!("`{word}` is not held: it ends what went wrong before");
+            return Err(Box::new(
+                Finding::new(&SCENARIO_TERMINAL, span, message).help(format!("write `when ... {word}`")),
+            ));
+        }
+        let station = self.sites.get(module).and_then(Site::station);
+        let before = station.and_then(|station| self.standing.before(module, stimulus, &station));
+        self.happen(module, stimulus, at_ms, span)?;
+        match before {
+            Some(before) => {
+                self.happen(module, before, until_ms, span)?;
+                self.standing.held_until_ms = self.standing.held_until_ms.max(until_ms);
+                Ok(())
+            }
+            None => Ok(()),
+        }
     }
 
     /// The tags of simulated modules follow their terminals: a scenario that acts at terminals drives none of them.
@@ -181,11 +262,6 @@ fn contact(station: &Station, terminal: Terminal, signal: Signal) -> Signal {
     if !takes(signal) && takes(other) { other } else { signal }
 }
 
-fn of_terminal(change: &Change, position: usize, terminal: Terminal) -> bool {
-    matches!(change, Change::Plant { module, stimulus: Stimulus::Signal(own, _) }
-        if (*module, *own) == (position, terminal))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -196,5 +272,6 @@ mod tests {
         assert_eq!(thousandths("-0.25"), Some(-250));
         assert_eq!(thousandths("7"), Some(7_000));
         assert_eq!(thousandths("1.2345"), None);
+        assert_eq!(thousandths("9223372036854775.999"), None);
     }
 }
