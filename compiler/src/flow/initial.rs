@@ -168,7 +168,7 @@ fn see(network: &mut Network, initial: &mut Initial, last: Vec<u32>, order: &[u3
 /// The places of which an operation replaces the value, and whether it does so whenever it is executed.
 fn replaced(op: &Op) -> [Option<(Slot, bool)>; 2] {
     match *op {
-        Op::Bit { off, follow: Follow::Latch, .. } => [Some((off, false)), None],
+        Op::Bit { off, follow: Follow::Latch | Follow::Beyond, .. } => [Some((off, false)), None],
         Op::Bit { on, follow: Follow::Unlatch, .. } => [Some((on, false)), None],
         Op::Bit { on, off, .. } => [Some((on, true)), Some((off, true))],
         Op::Store { slot, .. } => [Some((slot, false)), None],

@@ -227,8 +227,7 @@ impl<'a> Builder<'a> {
         self.follows(reference, "ACC", Follow::Pulse, write);
         let (timing, done) = match opcode {
             Opcode::Tof => (Follow::Falling, Follow::Held),
-            Opcode::Rto => (Follow::Pulse, Follow::Latch),
-            // 0 also while the rung is true and the time has not passed.
+            // 0 also while the rung is true and the time has not passed. RTO keeps it while the rung is false; a prescan clears it.
             _ => (Follow::Pulse, Follow::Pulse),
         };
         self.follows(reference, "TT", timing, write);
@@ -241,12 +240,15 @@ impl<'a> Builder<'a> {
         let write = self.write(one.span);
         self.presets(reference, one.span);
         let (enabled, overflow) = if opcode == Opcode::Ctu { ("CU", "OV") } else { ("CD", "UN") };
-        self.follows(reference, enabled, Follow::Coil, write);
-        self.follows(reference, overflow, Follow::Latch, write);
-        self.follows(reference, "DN", Follow::Latch, write);
-        if opcode == Opcode::Ctd {
-            self.follows(reference, "DN", Follow::Unlatch, write);
+        // A prescan sets it, so that a rung that is true at first does not count.
+        if let Some((base, true)) = self.member(reference, enabled) {
+            let (on, _) = self.bit_slots(base, &reference.location.terms, true);
+            self.network.set_by_prescan.push(on);
         }
+        self.follows(reference, enabled, Follow::Coil, write);
+        self.follows(reference, overflow, Follow::Beyond, write);
+        // 0 also while the rung is true and the count is not reached; made anew while it is false, too.
+        self.follows(reference, "DN", Follow::Pulse, write);
         self.follows(reference, "ACC", Follow::Pulse, write);
     }
 

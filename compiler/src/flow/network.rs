@@ -90,6 +90,8 @@ pub(crate) enum Follow {
     Falling,
     /// The done bit of TOF: 1 when true, or true before; 0 when false.
     Held,
+    /// The overflow bit of a counter: 1 when true and the count went beyond its end; as it was, and 0 before that, in any case.
+    Beyond,
 }
 
 /// One operation. `u32` are positions in [`Network::reads`] and [`Network::writes`].

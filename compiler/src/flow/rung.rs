@@ -193,6 +193,7 @@ impl Solver<'_> {
             Follow::Pulse => (when_true.series(rung.absolute.off.taint()), any),
             Follow::Falling => (when_false.series(rung.absolute.on.taint()), any),
             Follow::Held => (when_true.series(rung.absolute.off.taint()), when_false),
+            Follow::Beyond => (when_true, any),
         };
         self.write(set, to_set, write);
         self.write(clear, to_clear, write);
@@ -203,7 +204,7 @@ impl Solver<'_> {
             self.spoil_elements(clear, rung.value, write);
         }
         match follow {
-            Follow::Latch => self.keep(at, [None, Some(clear)], unless, write),
+            Follow::Latch | Follow::Beyond => self.keep(at, [None, Some(clear)], unless, write),
             Follow::Unlatch => self.keep(at, [Some(set), None], unless, write),
             _ => self.keep(at, [Some(set), Some(clear)], rung.not_executed(), write),
         }

@@ -113,16 +113,20 @@ pub(crate) fn solve(network: &Network, source: impl Fn(Slot) -> Option<Kinds>, m
     for slot in 0..slots as u32 {
         match source(slot) {
             Some(kinds) => solver.give(slot, Value { kinds, from: NOWHERE }, Step::Source),
-            None => solver.begin(slot, &written),
+            None => solver.begin(slot, &written.at_all),
         }
     }
     solver.run();
-    // A number of which only itself is known began with its initial value.
+    // A number of which only itself is known began with its initial value. Where only bits of it are written, each bit has its own.
     for slot in 0..slots as u32 {
-        let initial = matches!(network.places.keys[slot as usize].part, Part::Word(_));
-        if initial && solver.kinds[slot as usize].is_none() {
-            solver.give(slot, Value::NEUTRAL, Step::Source);
+        let key = network.places.keys[slot as usize];
+        let Part::Word(cell) = key.part else { continue };
+        if !solver.kinds[slot as usize].is_none() {
+            continue;
         }
+        let read = network.places.known(super::places::Key { tag: key.tag, part: Part::Whole(cell) });
+        let number = if written.as_a_whole[slot as usize] { slot } else { read.unwrap_or(slot) };
+        solver.give(number, Value::NEUTRAL, Step::Source);
     }
     solver.run();
     Solution { kinds: solver.kinds, steps: solver.steps }
@@ -141,8 +145,15 @@ fn other(network: &Network, slot: Slot) -> Option<Slot> {
     network.places.known(super::places::Key { tag: key.tag, part })
 }
 
-/// Which places something writes. A bit of a number is written with the number; a number, where a bit of it is.
-fn written(network: &Network) -> Vec<bool> {
+/// Which places something writes.
+struct Written {
+    /// A bit of a number is written with the number; a number, where a bit of it is.
+    at_all: Vec<bool>,
+    /// A number not for its bits.
+    as_a_whole: Vec<bool>,
+}
+
+fn written(network: &Network) -> Written {
     let places = &network.places;
     let mut written: Vec<bool> =
         places.keys.iter().map(|key| matches!(key.part, Part::Joint(_) | Part::Whole(_))).collect();
@@ -174,7 +185,7 @@ fn written(network: &Network) -> Vec<bool> {
             written[*from as usize] |= before[*to as usize];
         }
     }
-    written
+    Written { at_all: written, as_a_whole: before }
 }
 
 impl Solver<'_> {

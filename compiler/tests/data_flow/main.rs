@@ -5,8 +5,12 @@
 mod support;
 
 mod cases;
+mod initial_values;
+mod instructions;
+mod limits;
 mod programs;
 mod random;
+mod reports;
 mod sound;
 mod three_valued;
 

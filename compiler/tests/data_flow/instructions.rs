@@ -1,0 +1,90 @@
+//! What single instructions make of the data that goes through them.
+
+use crate::{accepted, findings, on_rungs, refused, text};
+
+#[test]
+fn one_shot_when_its_output_is_inverted_then_its_storage_bit_counts() {
+    // The output is 0 in nearly every scan, and a prescan sets the storage bit: no safety data is needed for that.
+    refused("XIC(Safe)ONS(Edge)OTE(A)\nXIC(Std)XIO(A)OTE(Motor)", &["S0701 Std"]);
+    refused("XIC(Std)OTL(Edge)\nXIC(Safe)ONS(Edge)OTE(A)\nXIO(A)OTE(Motor)", &["S0701 Std"]);
+    accepted("XIC(Safe)ONS(Edge)OTE(A)\nXIC(Std)XIC(A)OTE(Motor)");
+}
+
+/// REQ-CHECK-012: DN is 0 until the time has passed or the count is reached, whatever the rung condition is.
+#[test]
+fn done_bit_when_it_is_inverted_and_no_safety_data_runs_it_then_it_qualifies_nothing() {
+    refused("TON(T,100,0)\nXIC(Std)XIO(T.DN)OTE(Motor)", &["S0701 Std"]);
+    refused("RTO(T,100,0)\nXIC(Std)XIO(T.DN)OTE(Motor)", &["S0701 Std"]);
+    refused("CTU(N,3,0)\nXIC(Std)XIO(N.DN)OTE(Motor)", &["S0701 Std"]);
+    refused("CTD(N,3,0)\nXIC(Std)XIO(N.DN)OTE(Motor)", &["S0701 Std"]);
+    accepted("XIC(Safe)RTO(T,100,0)\nXIC(Std)XIC(T.DN)OTE(Motor)");
+    accepted("XIC(Safe)CTU(N,3,0)\nXIC(Std)XIC(N.DN)OTE(Motor)");
+}
+
+#[test]
+fn overflow_when_it_is_inverted_and_no_safety_data_counts_then_it_qualifies_nothing() {
+    refused("CTU(N,3,0)\nXIC(Std)XIO(N.OV)OTE(Motor)", &["S0701 Std"]);
+    refused("CTD(N,3,0)\nXIC(Std)XIO(N.UN)OTE(Motor)", &["S0701 Std"]);
+    accepted("XIC(Safe)CTU(N,3,0)\nXIC(Std)XIC(N.OV)OTE(Motor)");
+}
+
+#[test]
+fn overflow_when_it_begins_set_then_no_count_of_safety_data_stands_for_it() {
+    // OV is bit 28 of the first word of a COUNTER; a prescan leaves it as it is.
+    let begins = |word: i32| {
+        let tags = format!("    Count : COUNTER (Class := Safety) := [{word},3,0];");
+        findings(&text("", &tags, "XIC(Safe)CTU(Count,3,0)\nXIC(Std)XIC(Count.OV)OTE(Motor)", ""))
+    };
+    assert_eq!(begins(1 << 28), ["S0701 Std"]);
+    assert_eq!(begins(0), Vec::<String>::new());
+}
+
+/// A prescan sets CU and CD, so that a rung that is true in the first scan does not count.
+#[test]
+fn count_enable_when_examined_before_the_counter_then_the_prescan_has_set_it() {
+    refused("XIC(Std)XIC(N.CU)OTE(Motor)\nXIC(Safe)CTU(N,3,0)", &["S0701 Std"]);
+    refused("XIC(Std)XIC(N.CD)OTE(Motor)\nXIC(Safe)CTD(N,3,0)", &["S0701 Std"]);
+    accepted("XIC(Safe)CTU(N,3,0)\nXIC(Std)XIC(N.CU)OTE(Motor)");
+}
+
+#[test]
+fn system_value_when_it_fills_several_elements_then_each_is_of_neither_origin() {
+    let tags = "    Record : DINT[12] (Class := Safety);";
+    let with = |gsv: &str, at: usize| {
+        let rungs = format!("XIC(Safe)MOV(1,Record[{at}])\n{gsv}\nXIC(Std)EQU(Record[{at}],1)OTE(Motor)");
+        findings(&text("", tags, &rungs, ""))
+    };
+    let gsv = "GSV(PROGRAM,THIS,MajorFaultRecord,Record[0])";
+    assert_eq!(with(gsv, 0), ["S0701 Std"]);
+    assert_eq!(with(gsv, 10), ["S0701 Std"]);
+    assert_eq!(with(gsv, 11), Vec::<String>::new());
+    assert_eq!(with("NOP()", 10), Vec::<String>::new());
+}
+
+#[test]
+fn zone_when_a_jump_leads_to_its_first_rung_then_it_still_qualifies_and_past_it_no_more() {
+    accepted("XIC(Safe2)JMP(In)\nNOP()\nLBL(In)XIC(Safe)MCR()\nXIC(Std)OTE(Motor)\nMCR()");
+    refused("XIC(Safe2)JMP(In)\nXIC(Safe)MCR()\nLBL(In)XIC(Std)OTE(Motor)\nMCR()", &["S0701 Std"]);
+}
+
+#[test]
+fn channel_when_its_operand_is_reported_then_what_follows_from_it_is_not_reported_again() {
+    let dcs = "DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,Safe2,In:I.CombinedInputStatus,Safe)";
+    refused(&format!("XIC(Std)OTE(A)\n{dcs}\nXIC(E.O1)OTE(Motor)"), &["S0702 A"]);
+}
+
+#[test]
+fn parameter_when_it_is_compared_with_a_number_that_no_terminal_writes_then_refused() {
+    let rest = "LES(W,V)OTE(Motor)\nXIC(Safe)ADD(W,1,W)";
+    let found = on_rungs(&format!("XIC(Ack)ONS(Edge)EQU(Num,X)LIM(1,Num,100)MOV(Num,V)\n{rest}"));
+    assert_eq!(found, ["S0704 Num"]);
+}
+
+#[test]
+fn integrity_when_a_single_point_writes_a_number_or_a_bit_of_it_then_refused() {
+    let tags = "    Speed : DINT (Class := Safety, SIL := 3);\n    Known OF In:I.Pt05Data (SIL := 3);";
+    let with = |rungs: &str| findings(&text("", tags, rungs, ""));
+    assert_eq!(with("XIC(In:I.Pt04Data)MOV(1,Speed)"), ["S0703 In:I.Pt04Data"]);
+    assert_eq!(with("XIC(In:I.Pt04Data)OTE(Speed.3)"), ["S0703 In:I.Pt04Data"]);
+    assert_eq!(with("XIC(Known)MOV(1,Speed)\nXIC(Known)OTE(Speed.3)"), Vec::<String>::new());
+}
