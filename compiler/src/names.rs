@@ -122,6 +122,19 @@ mod tests {
     }
 
     #[test]
+    fn closest_when_two_letters_are_replaced_by_others_that_the_name_has_not_then_found() {
+        assert_eq!(closest("Feeder", ["Fooder"].into_iter()), Some("Fooder"));
+        assert_eq!(closest("Spindle", ["Spxydle"].into_iter()), Some("Spxydle"));
+        assert_eq!(closest("Belt", ["Bolt"].into_iter()), Some("Bolt"));
+    }
+
+    #[test]
+    fn closest_when_several_are_as_near_then_the_first_of_the_alphabet() {
+        assert_eq!(closest("Motor", ["Rotor", "Motos", "Moter"].into_iter()), Some("Moter"));
+        assert_eq!(closest("Motor", ["Moter", "Motos", "Rotor"].into_iter()), Some("Moter"));
+    }
+
+    #[test]
     fn name_fault_when_two_underscores_then_said() {
         assert!(name_fault("a__b").is_some());
         assert!(name_fault("_SV_070").is_none());

@@ -2,28 +2,9 @@
 
 mod support;
 
-use support::{lines, project, read};
+use support::{lines, on_rungs, project, read, refused};
 use twinrung_compiler::{Completion, check};
 use twinrung_grammar::tree::Sources;
-
-/// Checks a marked text: exactly these errors, in this order, at the marks.
-fn refused(marked: &str, codes: &[&str]) {
-    let text = marked.replace("<<", "").replace(">>", "");
-    let mut sources = Sources::new();
-    let reading = read(&mut sources, "sample.rll", &text);
-    let checked = check(&reading, &Completion::default());
-    let shown = lines(&sources, &checked);
-    let errors: Vec<_> = checked.findings.iter().filter(|finding| finding.is_error()).collect();
-    let found: Vec<(&str, &str)> = errors.iter().map(|finding| (finding.code.id, sources.text(finding.span))).collect();
-    let marks: Vec<&str> = marked.split("<<").skip(1).map(|rest| rest.split(">>").next().unwrap()).collect();
-    let expected: Vec<(&str, &str)> = codes.iter().copied().zip(marks).collect();
-    assert_eq!(found, expected, "{shown}");
-    assert!(errors.iter().all(|finding| finding.help.is_some()), "no way out:\n{shown}");
-}
-
-fn on_rungs(tags: &str, rungs: &str, codes: &[&str]) {
-    refused(&project("", tags, rungs, ""), codes);
-}
 
 const TAGS: &str = "    A, B : DINT (Class := Safety);\n    V : DINT[4] (Class := Safety);\n    X, Y : BOOL (Class := Safety);\n    T : TIMER (Class := Safety);";
 
@@ -229,4 +210,15 @@ fn elements_when_reached_by_different_variable_subscripts_then_one_is_not_taken_
         "{}",
         lines(&sources, &checked)
     );
+}
+
+#[test]
+fn file_when_empty_or_not_utf_8_then_it_cannot_be_read() {
+    let codes = |bytes: Vec<u8>| -> Vec<&str> {
+        let mut sources = Sources::new();
+        let checked = check(&twinrung_grammar::read(&mut sources, "sample.rll", bytes), &Completion::default());
+        checked.findings.iter().map(|finding| finding.code.id).collect()
+    };
+    assert_eq!(codes([b"(* \xff *)\n", project("", TAGS, "XIC(X)OTE(Y)", "").as_bytes()].concat()), ["E0101"]);
+    assert!(codes(Vec::new()).contains(&"E0101"));
 }

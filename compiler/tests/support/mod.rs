@@ -55,3 +55,23 @@ pub fn admitted(text: &str) -> AdmittedImage {
 pub fn text_of(image: &AdmittedImage, routine: &str) -> String {
     image.image().routines.iter().find(|one| one.name == routine).unwrap().text.clone()
 }
+
+/// Checks a marked text: exactly these errors, in this order, at the marks.
+pub fn refused(marked: &str, codes: &[&str]) {
+    let text = marked.replace("<<", "").replace(">>", "");
+    let mut sources = Sources::new();
+    let reading = read(&mut sources, "sample.rll", &text);
+    let checked = check(&reading, &Completion::default());
+    let shown = lines(&sources, &checked);
+    let errors: Vec<_> = checked.findings.iter().filter(|finding| finding.is_error()).collect();
+    let found: Vec<(&str, &str)> = errors.iter().map(|finding| (finding.code.id, sources.text(finding.span))).collect();
+    let marks: Vec<&str> = marked.split("<<").skip(1).map(|rest| rest.split(">>").next().unwrap()).collect();
+    let expected: Vec<(&str, &str)> = codes.iter().copied().zip(marks).collect();
+    assert_eq!(found, expected, "{shown}");
+    assert!(errors.iter().all(|finding| finding.help.is_some()), "no way out:\n{shown}");
+}
+
+/// The same of rungs of the main routine, with tags of the controller.
+pub fn on_rungs(tags: &str, rungs: &str, codes: &[&str]) {
+    refused(&project("", tags, rungs, ""), codes);
+}

@@ -1,0 +1,59 @@
+//! What of a project reaches the image, and how.
+
+mod support;
+
+use support::{admitted, image, project};
+
+const TAGS: &str = "    X : BOOL (Class := Safety);";
+
+#[test]
+fn signatures_when_compiled_then_those_that_the_loader_finds() {
+    let compiled = image(&project("", TAGS, "OTE(X)", ""));
+    let loaded = twinrung_bytecode::admit(&compiled.bytes).unwrap();
+    assert_eq!(&compiled.application_signature, loaded.application_signature());
+    assert_eq!(&compiled.image_signature, loaded.image_signature());
+    assert_ne!(compiled.application_signature, compiled.image_signature);
+}
+
+const UNIT: &str = "  ADD_ON_INSTRUCTION_DEFINITION Unit (Class := Safety, Vendor := \"Acme Safety\")
+    PARAMETERS
+      Limit : DINT (Usage := Input) := 7;
+      Armed : BOOL (Usage := Input) := 1;
+      Least : DINT (Usage := Input) := 5;
+    END_PARAMETERS
+    ROUTINE Logic
+      N: NOP();
+    END_ROUTINE
+  END_ADD_ON_INSTRUCTION_DEFINITION
+  DATATYPE Line_T
+    DINT Number;
+    Unit Units[2];
+  END_DATATYPE
+";
+
+#[test]
+fn instances_when_in_arrays_then_each_begins_with_the_defaults_of_its_definition() {
+    let tags = format!("{TAGS}\n    Units : Unit[3] (Class := Safety);\n    Lines : Line_T[2] (Class := Safety);");
+    let image = admitted(&project(UNIT, &tags, "OTE(X)", ""));
+    let records = image.image();
+    let tag = |name: &str| records.tags.iter().find(|tag| tag.name == name).unwrap();
+    let words = |name: &str, count: usize| &records.initial_words[tag(name).word_cell as usize..][..count];
+    // EnableIn, EnableOut, Armed.
+    let bits = |name: &str, count: usize| &records.initial_bits[tag(name).bit_cell as usize..][..count];
+    assert_eq!(words("Units", 6), [7, 5, 7, 5, 7, 5]);
+    assert_eq!(bits("Units", 9), [0, 0, 1, 0, 0, 1, 0, 0, 1]);
+    assert_eq!(words("Lines", 10), [0, 7, 5, 7, 5, 0, 7, 5, 7, 5]);
+    assert_eq!(bits("Lines", 12), [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+}
+
+#[test]
+fn setting_when_it_holds_a_control_character_then_a_blank_stands_for_it() {
+    let vendor = |name: &str| {
+        let tags = format!("{TAGS}\n    One : Unit (Class := Safety);");
+        let image = admitted(&project(&UNIT.replace("Acme Safety", name), &tags, "OTE(X)", ""));
+        image.image().add_ons[0].attributes.clone()
+    };
+    assert_eq!(vendor("Acme Safety"), [("Vendor".to_owned(), "Acme Safety".to_owned())]);
+    assert_eq!(vendor("Acme\tSafety"), [("Vendor".to_owned(), "\"Acme Safety\"".to_owned())]);
+    assert_eq!(vendor("Acme (Safety)"), [("Vendor".to_owned(), "\"Acme (Safety)\"".to_owned())]);
+}
