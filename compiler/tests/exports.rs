@@ -4,34 +4,9 @@ mod support;
 
 use std::path::Path;
 
-use support::{lines, read};
+use support::{export, lines, read};
 use twinrung_compiler::{Completion, check, compile};
 use twinrung_grammar::tree::Sources;
-
-fn export(tags: &str, rungs: &str) -> String {
-    let rungs: String = rungs
-        .lines()
-        .enumerate()
-        .map(|(at, rung)| format!("<Rung Number=\"{at}\" Type=\"N\"><Text><![CDATA[{rung}]]></Text></Rung>\n"))
-        .collect();
-    format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>
-<RSLogix5000Content SchemaRevision=\"1.0\" SoftwareRevision=\"20.01\" TargetName=\"Sample\" TargetType=\"Controller\" ContainsContext=\"false\">
-<Controller Use=\"Target\" Name=\"Sample\" ProcessorType=\"1756-L73S\" MajorRev=\"20\" MinorRev=\"11\">
-<DataTypes><DataType Name=\"Axis_T\" Family=\"NoFamily\" Class=\"User\"><Members>
-<Member Name=\"ZZZZZZZZZZAxis_T0\" DataType=\"SINT\" Dimension=\"0\" Radix=\"Decimal\" Hidden=\"true\" ExternalAccess=\"Read/Write\"/>
-<Member Name=\"Enabled\" DataType=\"BIT\" Dimension=\"0\" Radix=\"Decimal\" Hidden=\"false\" Target=\"ZZZZZZZZZZAxis_T0\" BitNumber=\"0\" ExternalAccess=\"Read/Write\"/>
-<Member Name=\"Homed\" DataType=\"BIT\" Dimension=\"0\" Radix=\"Decimal\" Hidden=\"false\" Target=\"ZZZZZZZZZZAxis_T0\" BitNumber=\"1\" ExternalAccess=\"Read/Write\"/>
-<Member Name=\"Speed\" DataType=\"INT\" Dimension=\"0\" Radix=\"Decimal\" Hidden=\"false\" ExternalAccess=\"Read/Write\"/>
-</Members></DataType></DataTypes>
-<Tags>{tags}</Tags>
-<Programs><Program Name=\"Safety_Main\" TestEdits=\"false\" MainRoutineName=\"Main\" Disabled=\"false\" Class=\"Safety\"><Tags/><Routines>
-<Routine Name=\"Main\" Type=\"RLL\"><RLLContent>{rungs}</RLLContent></Routine></Routines></Program></Programs>
-<Tasks><Task Name=\"Safety_Task\" Type=\"PERIODIC\" Rate=\"20\" Priority=\"5\" Watchdog=\"20\" DisableUpdateOutputs=\"false\" InhibitTask=\"false\" Class=\"Safety\">
-<ScheduledPrograms><ScheduledProgram Name=\"Safety_Main\"/></ScheduledPrograms></Task></Tasks>
-</Controller></RSLogix5000Content>"
-    )
-}
 
 fn bytes(name: &str, text: &str) -> Vec<u8> {
     let mut sources = Sources::new();

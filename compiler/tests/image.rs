@@ -57,3 +57,19 @@ fn setting_when_it_holds_a_control_character_then_a_blank_stands_for_it() {
     assert_eq!(vendor("Acme\tSafety"), [("Vendor".to_owned(), "\"Acme Safety\"".to_owned())]);
     assert_eq!(vendor("Acme (Safety)"), [("Vendor".to_owned(), "\"Acme (Safety)\"".to_owned())]);
 }
+
+#[test]
+fn tags_when_they_are_produced_consumed_or_of_declared_integrity_then_their_settings_are_in_the_image() {
+    let types = "  DATATYPE Line_T\n    CONNECTION_STATUS Status;\n    BOOL Stop;\n  END_DATATYPE\n";
+    let tags = "    X : BOOL (Class := Safety, SIL := 2);\n    Plain : BOOL (Class := Safety);\n    Out_Line : Line_T (Class := Safety, Produced := 2, RPI := 20);\n    In_Line : Line_T (Class := Safety, Producer := Other, RemoteTag := \"Out_Line\", RPI := 40);";
+    let image = admitted(&project(types, tags, "XIC(In_Line.Stop)XIO(In_Line.Status.ConnectionFaulted)OTE(X)", ""));
+    let settings = |name: &str| {
+        let tag = image.image().tags.iter().find(|tag| tag.name == name).unwrap();
+        let list = tag.attributes.iter().map(|(key, value)| format!("{key}={value}"));
+        list.collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(settings("X"), "SIL=2");
+    assert_eq!(settings("Plain"), "");
+    assert_eq!(settings("Out_Line"), "Produced=2 RPI_us=20000");
+    assert_eq!(settings("In_Line"), "Producer=Other RPI_us=40000 RemoteTag=Out_Line");
+}

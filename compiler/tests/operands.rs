@@ -103,3 +103,24 @@ fn word_when_nearly_one_of_the_list_then_that_one_is_meant() {
     assert_eq!(dcs("MANUEL"), ["did you mean `MANUAL`?"]);
     assert_eq!(dcs("'MANUEL'"), ["did you mean `MANUAL`?"]);
 }
+
+#[test]
+fn parameter_of_a_subroutine_when_behind_the_number_of_inputs_then_it_takes_no_literal() {
+    let part = "    ROUTINE Part\n      N: SBR(A,A,A);\n      N: RET(B);\n    END_ROUTINE\n    ROUTINE Short\n      N: SBR(A)RET(B);\n    END_ROUTINE\n";
+    refused(&project("", TAGS, "JSR(Part,3,1,2,3,<<4>>)", part), &["E0105"]);
+    refused(&project("", TAGS, "JSR(Part,3,1,2,3,B)\nJSR(Short,1,5,B)", part), &[]);
+}
+
+#[test]
+fn type_when_another_is_expected_then_the_message_names_the_one_that_was_found() {
+    let found = |rung: &str| {
+        let mut sources = Sources::new();
+        let checked = check(&read(&mut sources, "sample.rll", &project("", TAGS, rung, "")), &Completion::default());
+        let message = checked.findings.into_iter().find(|finding| finding.is_error()).unwrap().message;
+        message.split("found ").nth(1).unwrap().to_owned()
+    };
+    assert_eq!(found("XIC(A)OTE(X)"), "DINT");
+    assert_eq!(found("MOV(V,A)"), "DINT[4]");
+    assert_eq!(found("MOV(X,A)"), "BOOL");
+    assert_eq!(found("TON(A.3,1,0)"), "a bit of an integer");
+}

@@ -275,8 +275,8 @@ fn uses_may_go_on(kind: OperandKind) -> bool {
 fn count_text(least: usize, most: Option<usize>) -> String {
     let plural = |count: usize| if count == 1 { "1 operand".to_owned() } else { format!("{count} operands") };
     match most {
-        Some(most) if most == least => plural(least),
-        Some(most) => format!("{least} to {most} operands"),
+        // An instruction has one number of operands, or its last one repeats.
+        Some(most) => plural(most),
         None => format!("at least {}", plural(least)),
     }
 }

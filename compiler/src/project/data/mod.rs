@@ -4,7 +4,8 @@ mod forms;
 
 use twinrung_bytecode::image::{TypeKind, TypeReference};
 use twinrung_bytecode::index::TypeIndex;
-use twinrung_bytecode::layout::elements;
+use twinrung_bytecode::layout::{elements, fields};
+use twinrung_catalog::Element;
 use twinrung_grammar::tree::{Data, DataForm, Span};
 
 use super::Types;
@@ -159,7 +160,7 @@ pub fn read(
             match (outcome, &taken) {
                 (Ok(()), None) => taken = Some((region, one.value.span())),
                 (Ok(()), Some((first, place))) => {
-                    if !agrees(first, &region) {
+                    if !agrees(types, type_reference, first, &region) {
                         let message = "this form of the data says something else than the other form";
                         let finding = Finding::new(&DATA_DISAGREES, one.value.span(), message)
                             .label(*place, "the other form")
@@ -188,13 +189,26 @@ pub fn read(
     }
 }
 
-/// REAL values of two forms may differ in the digits that each form writes.
-fn agrees(first: &Region, second: &Region) -> bool {
+/// REAL values of two forms may differ in the digits that each form writes; nothing else may.
+fn agrees(types: &Types, type_reference: TypeReference, first: &Region, second: &Region) -> bool {
+    if first == second {
+        return true;
+    }
     let close = |a: i32, b: i32| {
         let (a, b) = (f32::from_bits(a as u32), f32::from_bits(b as u32));
-        a.is_finite() && b.is_finite() && (a - b).abs() <= a.abs().max(b.abs()) * 1e-5 && a.abs() > 1e-30
+        a.is_finite() && b.is_finite() && (a - b).abs() <= a.abs().max(b.abs()) * 1e-5
     };
-    first.bits == second.bits
-        && first.words.len() == second.words.len()
-        && first.words.iter().zip(&second.words).all(|(a, b)| a == b || close(*a, *b))
+    let is_real: Vec<bool> = match type_reference {
+        TypeReference::Element(element) => vec![element == Element::Real],
+        TypeReference::Structure(_) => {
+            let list = fields(types.records(), types.layouts(), type_reference);
+            let words = list.iter().filter(|field| field.element != Element::Bool);
+            let mut by_cell: Vec<(u32, bool)> =
+                words.map(|field| (field.cell, field.element == Element::Real)).collect();
+            by_cell.sort_unstable();
+            by_cell.into_iter().map(|(_, is_real)| is_real).collect()
+        }
+    };
+    let pairs = first.words.iter().zip(&second.words).zip(is_real.iter().cycle());
+    first.bits == second.bits && pairs.into_iter().all(|((a, b), is_real)| a == b || (*is_real && close(*a, *b)))
 }
