@@ -82,6 +82,18 @@ fn set_when_the_cell_is_beyond_the_image_then_nothing_changes() {
 }
 
 #[test]
+fn set_when_the_cell_is_the_first_beyond_the_image_then_the_next_scan_is_as_without_it() {
+    let mut rig = rungs(&["A : BOOL", "First : BOOL", "N : DINT"], &["XIC(A)MOV(5,N)", "XIC(S:FS)OTE(First)"]);
+    rig.prescan(0);
+    rig.scan(0);
+    rig.set("A", 1);
+    rig.partner.set_bit(BitCell(2), true);
+    rig.partner.set_word(WordCell(1), 9);
+    rig.scan(10);
+    assert_eq!(rig.row(&["N", "First"]), [5, 0]);
+}
+
+#[test]
 fn reset_when_called_then_the_channel_runs_as_after_loading() {
     let text = ["XIC(In)TON(T,?,?)", "XIC(In)ONS(S)ADD(N,1,N)", "XIC(In)CTU(C,?,?)", "XIC(T.DN)OTL(Out)"];
     let tag_list =
