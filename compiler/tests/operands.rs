@@ -124,3 +124,17 @@ fn type_when_another_is_expected_then_the_message_names_the_one_that_was_found()
     assert_eq!(found("MOV(X,A)"), "BOOL");
     assert_eq!(found("TON(A.3,1,0)"), "a bit of an integer");
 }
+
+#[test]
+fn storage_bit_when_something_writes_the_number_that_it_is_a_bit_of_then_a_warning() {
+    let warned = |rung: &str| {
+        let text = project("", TAGS, &format!("XIC(X)ONS(V[1].0)OTE(Y)\n{rung}"), "");
+        let mut sources = Sources::new();
+        let checked = check(&read(&mut sources, "sample.rll", &text), &Completion::default());
+        let own = checked.findings.iter().filter(|finding| finding.code.id == "W0103");
+        own.map(|finding| sources.text(finding.span).to_owned()).collect::<Vec<_>>()
+    };
+    assert_eq!(warned("MOV(A,V[1])"), ["V[1]"]);
+    assert_eq!(warned("XIC(Y)OTL(V[1].0)"), ["V[1].0"]);
+    assert_eq!(warned("MOV(A,V[2])"), Vec::<String>::new());
+}

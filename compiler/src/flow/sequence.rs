@@ -109,6 +109,7 @@ impl<'a> Reader<'a> {
         let project = self.project;
         let coils = &mut self.coils;
         let mut somewhere: Set<TagId> = Set::default();
+        let mut numbers: Set<(TagId, u32)> = Set::default();
         usage::accesses(project, &mut |access| {
             if !access.writes {
                 return;
@@ -118,6 +119,10 @@ impl<'a> Reader<'a> {
             let Some(tag) = access.reference.base_tag() else { return };
             match usage::cell(access.reference) {
                 Some(_) if own => {}
+                // All bits of it.
+                Some(Cell::Word(word)) => {
+                    numbers.insert((tag, word));
+                }
                 Some(cell) => {
                     coils.insert((tag, cell), None);
                 }
@@ -127,7 +132,10 @@ impl<'a> Reader<'a> {
                 }
             }
         });
-        coils.retain(|(tag, _), _| !somewhere.contains(tag));
+        coils.retain(|(tag, cell), _| {
+            let overwritten = matches!(cell, Cell::WordBit(word, _) if numbers.contains(&(*tag, *word)));
+            !overwritten && !somewhere.contains(tag)
+        });
     }
 
     fn conditions(&self, rung: &'a Rung, instruction: &'a Instruction, depth: usize, out: &mut Conditions<'a>) {

@@ -6,7 +6,7 @@ use twinrung_grammar::tree::Span;
 use crate::diagnostic::{Finding, Findings};
 use crate::names::Map;
 use crate::project::Project;
-use crate::rules::usage::{self, CellKey};
+use crate::rules::usage::{self, Cell, CellKey};
 
 rule! {
     /// A storage bit with a second writer.
@@ -35,6 +35,10 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
                 Some(_) => others.push((cell, access.span)),
                 None => {
                     storage.insert(cell, access.span);
+                    // A number that is written as a whole is written with all its bits.
+                    if let (base, owner, Cell::WordBit(word, _)) = cell {
+                        storage.entry((base, owner, Cell::Word(word))).or_insert(access.span);
+                    }
                 }
             }
         } else {

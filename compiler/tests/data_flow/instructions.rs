@@ -81,6 +81,16 @@ fn parameter_when_it_is_compared_with_a_number_that_no_terminal_writes_then_refu
 }
 
 #[test]
+fn parameter_when_a_bit_of_a_number_stands_for_a_step_and_something_writes_the_number_then_refused() {
+    let rest = "XIC(Ack)ONS(Edge)XIC(Words[1].0)LIM(1,Num,100)MOV(Num,V)\nLES(W,V)OTE(Motor)\nXIC(Safe)ADD(W,1,W)";
+    let with = |other: &str| on_rungs(&format!("EQU(Num,Num2)OTE(Words[1].0)\n{other}\n{rest}"));
+    assert_eq!(with("NOP()"), Vec::<String>::new());
+    assert_eq!(with("MOV(1,Words[2])"), Vec::<String>::new());
+    assert_eq!(with("MOV(1,Words[1])"), ["S0704 Num"]);
+    assert_eq!(with("MOV(1,Words[X])"), ["S0704 Num"]);
+}
+
+#[test]
 fn integrity_when_a_single_point_writes_a_number_or_a_bit_of_it_then_refused() {
     let tags = "    Speed : DINT (Class := Safety, SIL := 3);\n    Known OF In:I.Pt05Data (SIL := 3);";
     let with = |rungs: &str| findings(&text("", tags, rungs, ""));
