@@ -94,6 +94,17 @@ fn set_when_the_cell_is_the_first_beyond_the_image_then_the_next_scan_is_as_with
 }
 
 #[test]
+fn cells_when_there_are_more_than_65536_then_the_last_behave_as_the_first() {
+    let tag_list = ["Low : DINT[65600]", "High : DINT", "Sum : DINT := 7"];
+    let mut rig = rungs(&tag_list, &["MOV(5,High)", "ADD(High,Low[65599],Sum)"]);
+    assert_eq!(rig.row(&["High", "Sum"]), [0, 7]);
+    rig.prescan(0);
+    rig.set("Low[65599]", 30);
+    rig.scan(0);
+    assert_eq!(rig.row(&["High", "Low[65599]", "Sum"]), [5, 30, 35]);
+}
+
+#[test]
 fn reset_when_called_then_the_channel_runs_as_after_loading() {
     let text = ["XIC(In)TON(T,?,?)", "XIC(In)ONS(S)ADD(N,1,N)", "XIC(In)CTU(C,?,?)", "XIC(T.DN)OTL(Out)"];
     let tag_list =
