@@ -68,9 +68,10 @@ fn zone_when_a_jump_leads_to_its_first_rung_then_it_still_qualifies_and_past_it_
 }
 
 #[test]
-fn channel_when_its_operand_is_reported_then_what_follows_from_it_is_not_reported_again() {
-    let dcs = "DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,Safe2,In:I.CombinedInputStatus,Safe)";
-    refused(&format!("XIC(Std)OTE(A)\n{dcs}\nXIC(E.O1)OTE(Motor)"), &["S0702 A"]);
+fn channels_when_they_are_reported_then_what_follows_from_them_is_not_reported_again() {
+    let dcs = "DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,B,In:I.CombinedInputStatus,Safe)";
+    let rungs = format!("XIC(Std)OTE(A)\nXIC(Std2)OTE(B)\n{dcs}\nXIC(E.O1)OTE(Motor)");
+    refused(&rungs, &["S0702 A", "S0702 B"]);
 }
 
 #[test]
