@@ -14,7 +14,7 @@ pub enum Format {
     Json,
 }
 
-/// One JSON object, and the end of its last line.
+/// One JSON value, and the end of its last line.
 pub fn write_json(out: &mut dyn Write, value: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *out, value)?;
     writeln!(out)

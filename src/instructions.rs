@@ -3,8 +3,7 @@
 use std::io;
 
 use twinrung_bytecode::AdmittedImage;
-use twinrung_bytecode::index::AddOnIndex;
-use twinrung_bytecode::signature::safety_instruction_signature;
+use twinrung_bytecode::signature::safety_instruction_signatures;
 use twinrung_commission::SealedInstruction;
 use twinrung_compiler::instruction_signature::{safety_add_ons, seal};
 use twinrung_grammar::tree::{File, HistoryEntry};
@@ -15,15 +14,15 @@ use crate::failed;
 pub fn listing(trees: &[File], image: &AdmittedImage) -> io::Result<Vec<SealedInstruction>> {
     let trees: Vec<&File> = trees.iter().collect();
     let mut list = Vec::new();
-    for (position, add_on) in image.image().add_ons.iter().enumerate() {
-        let safety = safety_instruction_signature(image.image(), AddOnIndex(position as u16)).map_err(failed)?;
+    let signatures = safety_instruction_signatures(image.image()).map_err(failed)?;
+    for (add_on, safety) in image.image().add_ons.iter().zip(signatures) {
         let shown = safety_add_ons(&trees).find(|shown| shown.name.is(&add_on.name));
         let seal = shown.and_then(|shown| seal(shown).ok().flatten());
         list.push(SealedInstruction {
             name: add_on.name.clone(),
             instruction: seal.as_ref().map(|seal| seal.id),
             generated: seal.map(|seal| seal.timestamp.to_string()),
-            safety: safety.unwrap_or_default(),
+            safety,
             history: shown.iter().flat_map(|shown| &shown.history).map(words).collect(),
         });
     }

@@ -1,6 +1,7 @@
 //! Online edits of safety routines: what was changed, and how far it has come (1756-RM093 Online Editing).
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use twinrung_bytecode::signature::{bytes_of, long_form};
 use twinrung_controller::protection::Edits;
 
 /// What the manual adds to the watchdog while the application is unlocked and without signature, in ms: for so long can a write by
@@ -55,15 +56,11 @@ pub struct OnlineEdit {
 }
 
 fn write_bytes<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
-    let digit = |nibble: u8| char::from_digit(u32::from(nibble), 16).unwrap_or('0');
-    to.serialize_str(&bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect::<String>())
+    to.serialize_str(&long_form(bytes))
 }
 
 fn read_bytes<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u8>, D::Error> {
     let text = String::deserialize(from)?;
-    let digits: Option<Vec<u8>> = text.chars().map(|digit| digit.to_digit(16).map(|nibble| nibble as u8)).collect();
-    let digits = digits.filter(|digits| digits.len().is_multiple_of(2));
-    let digits =
-        digits.ok_or_else(|| serde::de::Error::custom("an image is written in pairs of hexadecimal digits"))?;
-    Ok(digits.chunks(2).map(|pair| pair.iter().fold(0, |byte, nibble| byte << 4 | nibble)).collect())
+    let bytes = bytes_of(&text);
+    bytes.ok_or_else(|| serde::de::Error::custom("an image is written in pairs of hexadecimal digits"))
 }

@@ -289,7 +289,7 @@ impl ControllerState {
             name: String::new(),
             image: Vec::new(),
             instructions: Vec::new(),
-            configure_always: false,
+            from_image: false,
         });
         Ok(Card {
             made_for: self.identity.clone(),

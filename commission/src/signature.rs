@@ -4,7 +4,7 @@ use std::fmt;
 
 use jiff::Timestamp;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use twinrung_bytecode::signature::{long_form, short_form};
+use twinrung_bytecode::signature::{long_form, of_long_form, short_form};
 
 /// The safety task signature (1756-RM093 Generate the Safety Task Signature). Its ID is the safety application signature: it
 /// covers logic, data and configuration, and is the same wherever the same application is built.
@@ -29,14 +29,5 @@ pub(crate) fn write_id<S: Serializer>(id: &[u8; 32], to: S) -> Result<S::Ok, S::
 
 pub(crate) fn read_id<'de, D: Deserializer<'de>>(from: D) -> Result<[u8; 32], D::Error> {
     let text = String::deserialize(from)?;
-    id_of(&text).ok_or_else(|| serde::de::Error::custom("an ID has 64 hexadecimal digits"))
-}
-
-fn id_of(text: &str) -> Option<[u8; 32]> {
-    let mut id = [0; 32];
-    (text.len() == 64 && text.is_ascii()).then_some(())?;
-    for (byte, at) in id.iter_mut().zip((0..64).step_by(2)) {
-        *byte = u8::from_str_radix(text.get(at..at + 2)?, 16).ok()?;
-    }
-    Some(id)
+    of_long_form(&text).ok_or_else(|| serde::de::Error::custom("an ID has 64 hexadecimal digits"))
 }

@@ -23,9 +23,9 @@ pub struct Application {
     /// Its safety Add-On Instructions: their safety instruction signatures are generated when they are downloaded.
     #[serde(default)]
     pub instructions: Vec<SealedInstruction>,
-    /// Whether the project has the controller configure replaced modules always (1756-RM093 I/O Module Replacement).
+    /// Whether it came as an image: that has no text, so that nobody knows whether its Add-On Instructions were sealed.
     #[serde(default)]
-    pub configure_always: bool,
+    pub from_image: bool,
 }
 
 /// A force on a value of an I/O, produced or consumed safety tag.

@@ -22,7 +22,7 @@ fn project(id: u8) -> Project {
             name: format!("Project_{id}"),
             image: vec![id; 3],
             instructions: Vec::new(),
-            configure_always: false,
+            from_image: false,
         },
     }
 }

@@ -136,7 +136,7 @@ impl Storage for &mut Disk {
 /// A controller with an application of these bytes.
 fn with_image(mut state: ControllerState, image: Vec<u8>) -> ControllerState {
     state.application =
-        Some(Application { name: "Cell".to_owned(), image, instructions: Vec::new(), configure_always: false });
+        Some(Application { name: "Cell".to_owned(), image, instructions: Vec::new(), from_image: false });
     state
 }
 

@@ -3,23 +3,25 @@
 //! maker computes his is not published: this one is decided.)
 //!
 //! ```text
-//! ID = SHA-256("twinrung instruction 1", name, canonical text of the definition and of all that it uses)
+//! part = SHA-256("twinrung instruction part 2", canonical text without data, initial values)
+//! ID   = SHA-256("twinrung instruction 2", name, part of the definition and of all that it uses *)
 //! ```
 //!
 //! What only says the same in another way is not part of it: what the file states and the language assumes anyway, numbers of
-//! rungs, dates and authors, signatures, the history.
-
-use std::collections::BTreeMap;
+//! rungs, dates and authors, signatures, the history. A file can write data in several forms; the initial values are therefore
+//! the cells that the compiler has read, whatever they were read from.
 
 use sha2::{Digest, Sha256};
+use twinrung_bytecode::signature::of_long_form;
 use twinrung_grammar::print_file;
 use twinrung_grammar::tree::{
-    AddOnInstruction, Attribute, AttributeValue, Class, CompactString, Data, DataType, Element, File, Name, Parameter,
-    ParameterUsage, Routine, RoutineBody, Span, Spanned, Tag, Text, Usage, Value,
+    AddOnInstruction, Attribute, AttributeValue, Class, CompactString, DataType, Element, File, Name, Parameter,
+    ParameterUsage, Routine, RoutineBody, Span, Spanned, Tag, Text, Usage,
 };
 
-use crate::names::fold;
-use crate::project::is_argument;
+use crate::names::{Map, Set, fold};
+use crate::project::data::Region;
+use crate::project::{Project, is_argument};
 
 /// The attribute that holds the ID, in 64 hexadecimal digits.
 pub const ID: &str = "InstructionSignature";
@@ -86,18 +88,11 @@ pub fn seal(shown: &AddOnInstruction) -> Result<Option<Seal>, BrokenSeal> {
         (Some(id), timestamp) => {
             let broken = |message| BrokenSeal { message, span: id.span };
             let timestamp = timestamp.ok_or_else(|| broken("the instruction signature has no date and time"))?;
-            let bytes =
-                digits(&id.text).ok_or_else(|| broken("the instruction signature is not 64 hexadecimal digits"))?;
+            let bytes = of_long_form(&id.text)
+                .ok_or_else(|| broken("the instruction signature is not 64 hexadecimal digits"))?;
             Ok(Some(Seal { id: bytes, timestamp: timestamp.text.clone(), span: id.span }))
         }
     }
-}
-
-fn digits(text: &str) -> Option<[u8; 32]> {
-    let nibbles: Vec<u8> =
-        text.chars().map(|digit| digit.to_digit(16).map(|nibble| nibble as u8)).collect::<Option<_>>()?;
-    let bytes: Vec<u8> = nibbles.chunks(2).map(|pair| pair.iter().fold(0, |byte, nibble| byte << 4 | nibble)).collect();
-    if nibbles.len() == 64 { bytes.try_into().ok() } else { None }
 }
 
 /// Sets the seal of an Add-On Instruction, or removes it.
@@ -116,61 +111,105 @@ pub fn quoted(key: &str, value: impl Into<CompactString>) -> Attribute {
     Attribute { key: Name::new(key, span), value: AttributeValue::Quoted(Text::new(value, span)) }
 }
 
-/// The ID that the content of a safety Add-On Instruction gives; `files` declare what it uses.
-pub fn instruction_signature(files: &[&File], shown: &AddOnInstruction) -> [u8; 32] {
-    let mut hash = Sha256::new_with_prefix(b"twinrung instruction 1\0");
-    for part in [shown.name.as_str(), &print_file(&content(files, shown))] {
-        hash.update(part.as_bytes());
-        hash.update((part.len() as u64).to_le_bytes());
+/// A type or an Add-On Instruction: what of it is signed.
+struct Part {
+    hash: [u8; 32],
+    /// Names of what it uses, folded.
+    uses: Vec<CompactString>,
+}
+
+/// What instances hold before anything runs, by folded name of the Add-On Instruction, where that is not 0.
+type Initial<'p> = Map<CompactString, &'p Region>;
+
+/// All that the safety Add-On Instructions of a project can use, by folded name.
+pub struct Definitions<'p> {
+    initial: Initial<'p>,
+    types: Map<CompactString, Part>,
+    add_ons: Map<CompactString, Part>,
+}
+
+impl<'p> Definitions<'p> {
+    /// The definitions that are compiled: of each name the first that is no mere reference (neutral-text-and-l5x.md D.1).
+    pub fn new(files: &[&File], project: &'p Project) -> Definitions<'p> {
+        let built = project.add_ons.iter().filter_map(|one| {
+            let region = project.defaults.of(one.instance_type?)?;
+            Some((fold(&one.name), region))
+        });
+        let mut all = Definitions { initial: built.collect(), types: Map::default(), add_ons: Map::default() };
+        let compiled = |usage: Usage| usage != Usage::Reference;
+        for one in files.iter().flat_map(|file| &file.data_types).filter(|one| compiled(one.usage)) {
+            all.types.entry(fold(one.name.as_str())).or_insert_with(|| type_part(one));
+        }
+        for one in files.iter().flat_map(|file| &file.add_on_instructions).filter(|one| compiled(one.usage)) {
+            all.add_ons.entry(fold(one.name.as_str())).or_insert_with(|| add_on_part(one, &all.initial));
+        }
+        all
     }
+
+    /// The ID that the content of a safety Add-On Instruction gives.
+    pub fn signature(&self, shown: &AddOnInstruction) -> [u8; 32] {
+        let own = add_on_part(shown, &self.initial);
+        let mut seen: Set<CompactString> = Set::default();
+        seen.insert(fold(shown.name.as_str()));
+        let mut open = own.uses;
+        let mut used: Vec<(CompactString, [u8; 32])> = Vec::new();
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) {
+                continue;
+            }
+            for part in [self.types.get(&name), self.add_ons.get(&name)].into_iter().flatten() {
+                open.extend(part.uses.iter().filter(|name| !seen.contains(*name)).cloned());
+                used.push((name.clone(), part.hash));
+            }
+        }
+        // A type and an instruction of one name stay in the order in which they were taken.
+        used.sort_by(|one, other| one.0.cmp(&other.0));
+        let mut hash = Sha256::new_with_prefix(b"twinrung instruction 2\0");
+        closed(&mut hash, shown.name.as_str().as_bytes());
+        hash.update(own.hash);
+        used.iter().for_each(|(_, part)| hash.update(part));
+        hash.finalize().into()
+    }
+}
+
+/// A part of a hash that its length closes off from the next.
+fn closed(hash: &mut Sha256, part: &[u8]) {
+    hash.update(part);
+    hash.update((part.len() as u64).to_le_bytes());
+}
+
+fn part(content: &File, bits: &[u8], words: &[i32]) -> [u8; 32] {
+    let mut hash = Sha256::new_with_prefix(b"twinrung instruction part 2\0");
+    closed(&mut hash, print_file(content).as_bytes());
+    closed(&mut hash, bits);
+    closed(&mut hash, &words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>());
     hash.finalize().into()
 }
 
-/// The definition and all that it uses, in the order of their names, with nothing in them but content.
-fn content(files: &[&File], shown: &AddOnInstruction) -> File {
-    let mut types: BTreeMap<CompactString, DataType> = BTreeMap::new();
-    let mut add_ons: BTreeMap<CompactString, AddOnInstruction> = BTreeMap::new();
-    let mut open: Vec<CompactString> = Vec::new();
-    let mut take = |one: &AddOnInstruction, open: &mut Vec<CompactString>| {
-        open.extend(used_by(one));
-        add_ons.insert(fold(one.name.as_str()), only_content(one));
-    };
-    take(shown, &mut open);
-    let mut seen = vec![fold(shown.name.as_str())];
-    while let Some(name) = open.pop() {
-        let name = fold(&name);
-        if seen.contains(&name) {
-            continue;
-        }
-        let data_type = files.iter().flat_map(|file| &file.data_types).find(|one| fold(one.name.as_str()) == name);
-        let add_on =
-            files.iter().flat_map(|file| &file.add_on_instructions).find(|one| fold(one.name.as_str()) == name);
-        if let Some(data_type) = data_type {
-            open.extend(data_type.members.iter().map(|member| member.data_type.text.clone()));
-            types.insert(name.clone(), DataType { usage: Usage::Target, attributes: Vec::new(), ..data_type.clone() });
-        }
-        if let Some(add_on) = add_on {
-            take(add_on, &mut open);
-        }
-        seen.push(name);
-    }
-    File {
-        data_types: types.into_values().collect(),
-        add_on_instructions: add_ons.into_values().collect(),
-        ..File::default()
-    }
+fn type_part(one: &DataType) -> Part {
+    let content = DataType { usage: Usage::Target, attributes: Vec::new(), ..one.clone() };
+    let content = File { data_types: vec![content], ..File::default() };
+    let uses = one.members.iter().map(|member| fold(&member.data_type.text)).collect();
+    Part { hash: part(&content, &[], &[]), uses }
 }
 
-/// Names that a definition uses: types, and instructions, those that are built in among them.
+fn add_on_part(one: &AddOnInstruction, initial: &Initial<'_>) -> Part {
+    let content = File { add_on_instructions: vec![only_content(one)], ..File::default() };
+    let (bits, words) =
+        initial.get(&fold(one.name.as_str())).map_or((&[][..], &[][..]), |region| (&region.bits, &region.words));
+    Part { hash: part(&content, bits, words), uses: used_by(one) }
+}
+
+/// Names that a definition uses, folded: types, and instructions, those that are built in among them.
 fn used_by(shown: &AddOnInstruction) -> Vec<CompactString> {
     let parameters = shown.parameters.iter().filter_map(|one| one.data_type.as_ref());
     let locals = shown.local_tags.iter().filter_map(|one| one.data_type.as_ref());
-    let mut names: Vec<CompactString> = parameters.chain(locals).map(|name| name.text.clone()).collect();
+    let mut names: Vec<CompactString> = parameters.chain(locals).map(|name| fold(&name.text)).collect();
     let mut open: Vec<&Element> =
         shown.routines.iter().flat_map(Routine::rungs).flat_map(|rung| &rung.elements).collect();
     while let Some(element) = open.pop() {
         match element {
-            Element::Instruction(instruction) => names.push(instruction.mnemonic.text.clone()),
+            Element::Instruction(instruction) => names.push(fold(&instruction.mnemonic.text)),
             Element::Branch(branch) => open.extend(branch.legs.iter().flat_map(|leg| &leg.elements)),
         }
     }
@@ -205,7 +244,7 @@ fn parameter(one: &mut Parameter) {
     one.constant = one.constant.filter(|constant| constant.value);
     one.radix = one.radix.take().filter(|radix| !is_usual(radix, one.data_type.as_ref()));
     one.attributes.clear();
-    one.default.retain(says_something);
+    one.default.clear();
 }
 
 fn local(one: &mut Tag) {
@@ -215,7 +254,7 @@ fn local(one: &mut Tag) {
     one.radix = one.radix.take().filter(|radix| !is_usual(radix, one.data_type.as_ref()));
     one.attributes.clear();
     one.joins_previous = false;
-    one.data.retain(says_something);
+    one.data.clear();
 }
 
 fn routine(one: &mut Routine) {
@@ -229,20 +268,4 @@ fn routine(one: &mut Routine) {
 /// Whether a radix is the one that a tag of this type has where nobody says another.
 fn is_usual(radix: &Name, data_type: Option<&Name>) -> bool {
     radix.is(if data_type.is_some_and(|name| name.is("REAL")) { "Float" } else { "Decimal" })
-}
-
-/// Whether data is something else than zeros, which is what stands where nobody says anything.
-fn says_something(data: &Data) -> bool {
-    let mut open = vec![&data.value];
-    while let Some(value) = open.pop() {
-        match value {
-            Value::Number(text) if text.text.bytes().all(|byte| b"0.+-e".contains(&byte)) => {}
-            Value::Bytes { bytes, .. } if bytes.iter().all(|byte| *byte == 0) => {}
-            Value::List { items, .. } => open.extend(items),
-            Value::Structure { members, .. } => open.extend(members.iter().map(|member| &member.value)),
-            Value::Array { elements, .. } => open.extend(elements.iter().map(|(_, value)| value)),
-            Value::Number(_) | Value::String(_) | Value::Bytes { .. } => return true,
-        }
-    }
-    false
 }

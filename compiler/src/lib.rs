@@ -85,7 +85,7 @@ pub(crate) fn check_inputs(reading: &Reading, completion: &Completion, library: 
     let project = project::build(&inputs, &mut findings);
     rules::check(&project, &mut findings);
     let files: Vec<_> = std::iter::once(&reading.file).chain(&completion.contexts).collect();
-    rules::check_files(&files, &mut findings);
+    rules::check_files(&files, &project, &mut findings);
     // A declaration that could not be read may be the one that a name misses.
     let in_rungs = |kind: ErrorKind| matches!(kind, ErrorKind::MalformedRung | ErrorKind::UnknownRungKind);
     if reading.errors.iter().any(|error| !in_rungs(error.kind)) {

@@ -36,6 +36,7 @@ mod refused;
 mod replacement;
 mod samples;
 mod scenarios;
+mod sealed_data;
 mod signature;
 mod support;
 mod two_threads;

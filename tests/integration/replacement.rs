@@ -47,6 +47,30 @@ fn module_when_the_project_says_configure_always_then_a_new_one_is_configured_in
     assert!(said.out.contains("Configure Always"), "{}", said.out);
 }
 
+/// REQ-SIGN-004, REQ-REPLACE-001. The setting belongs to the signed application: a locked and signed controller takes no other one.
+#[test]
+fn download_when_only_configure_always_differs_then_it_is_another_application() {
+    let cell = Cell::with_project(&project(""));
+    cell.done("generate --clock 2026-11-22T18:00:00Z");
+    cell.done("lock");
+    cell.write("always.rll", &project(", ConfigureSafetyIOAlways := Yes"));
+    cell.write("never.rll", &project(", ConfigureSafetyIOAlways := No"));
+    let download = |name: &str| format!("download {}", cell.path(name).display());
+    assert_eq!(cell.ask(&download("always.rll")).code, Some(1));
+    cell.done(&download("never.rll"));
+}
+
+/// REQ-REPLACE-001. An image says so too.
+#[test]
+fn module_when_an_image_says_configure_always_then_a_new_one_is_configured() {
+    let cell = Cell::with_project(&project(", ConfigureSafetyIOAlways := Yes"));
+    let image = cell.path("cell.image").display().to_string();
+    cell.done(&format!("upload {image}"));
+    cell.done(&format!("download {image}"));
+    cell.done("generate");
+    assert!(cell.done("replace Doors").contains("Configure Always"));
+}
+
 /// REQ-FAULT-003, REQ-FAULT-007. 1756-RM093 Nonrecoverable Controller Faults.
 #[test]
 fn controller_when_its_partner_fails_then_only_a_download_recovers_and_the_log_says_so() {

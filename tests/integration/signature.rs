@@ -228,6 +228,43 @@ fn controller_when_a_sealed_instruction_is_downloaded_then_it_shows_what_is_to_b
     assert!(status.out.contains(&line), "{}", status.out);
 }
 
+/// REQ-SIGN-009. An image has no text: whether its instructions were sealed is not known, and not denied.
+#[test]
+fn controller_when_an_image_is_downloaded_then_it_says_that_seals_are_not_known() {
+    let copy = Copy::sealed();
+    let path = |name: &str| copy.home.path().join(name).display().to_string();
+    let (cell, project, image) = (path("cell"), path("project.rll"), path("project.image"));
+    assert_eq!(twinrung(&["controller", &cell, "download", &project]).code, Some(0));
+    assert_eq!(twinrung(&["controller", &cell, "upload", &image]).code, Some(0));
+    let said = twinrung(&["controller", &cell, "download", &image]);
+    let words = "Monitored_Valve: an image does not say whether it is sealed; safety instruction signature ";
+    assert!(said.out.contains(words), "{}", said.out);
+    let status = twinrung(&["controller", &cell, "status"]).out;
+    assert!(status.contains(words) && !status.contains("not sealed"), "{status}");
+}
+
+/// REQ-SIGN-008. What has no text of ours is not sealed here, and left as it is.
+#[test]
+fn seal_when_the_file_is_an_export_or_an_image_then_it_is_left_as_it_is() {
+    let copy = Copy::new();
+    let path = |name: &str| copy.home.path().join(name);
+    fs::copy(project_path("samples/add-on-instruction/project.L5X"), path("project.L5X")).unwrap();
+    let (project, image) = (copy.path().display().to_string(), path("project.image").display().to_string());
+    assert_eq!(twinrung(&["build", &project, "--output", &image]).code, Some(0));
+    let files =
+        [("project.L5X", Some(2), "an export is sealed in the tool that wrote it"), ("project.image", Some(2), "")];
+    for (name, code, words) in files {
+        let before = fs::read(path(name)).unwrap();
+        let said = twinrung(&["signature", path(name).to_str().unwrap(), "generate", NAME]);
+        assert_eq!(said.code, code, "{}{}", said.out, said.err);
+        assert!(said.err.contains(words), "{}", said.err);
+        assert_eq!(fs::read(path(name)).unwrap(), before);
+    }
+    let said = twinrung(&["signature", &image]);
+    assert_eq!(said.code, Some(1));
+    assert!(said.out.contains("an image holds no text"), "{}", said.out);
+}
+
 /// REQ-SIGN-010. How the maker computes his is not published; a change after his seal shows in the dates.
 #[test]
 fn check_when_the_maker_sealed_an_instruction_then_it_is_a_warning_and_a_later_change_an_error() {

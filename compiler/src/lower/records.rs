@@ -1,7 +1,9 @@
 //! Declarations as records.
 
+use sha2::{Digest, Sha256};
 use twinrung_bytecode::image::*;
 use twinrung_bytecode::layout::elements;
+use twinrung_bytecode::signature::long_form;
 
 use super::operands::Interner;
 use super::order::{Order, kind};
@@ -103,6 +105,9 @@ pub(super) fn add_ons(project: &Project, order: &Order) -> Vec<AddOnRecord> {
     };
     let lower = |id: &project::AddOnId| {
         let add_on = project.add_on(*id);
+        let mut attributes = add_on.attributes.clone();
+        attributes.extend(initial_values(project, add_on));
+        attributes.sort();
         AddOnRecord {
             name: add_on.name.to_string(),
             instance_type: add_on
@@ -114,10 +119,20 @@ pub(super) fn add_ons(project: &Project, order: &Order) -> Vec<AddOnRecord> {
                 .map_or(twinrung_bytecode::index::RoutineIndex(u32::MAX), |routine| order.routine(routine)),
             prescan: add_on.prescan.map(|routine| order.routine(routine)),
             enable_in_false: add_on.enable_in_false.map(|routine| order.routine(routine)),
-            attributes: settings(&add_on.attributes),
+            attributes: settings(&attributes),
         }
     };
     order.add_ons.iter().map(lower).collect()
+}
+
+/// What an instance holds before anything runs decides what executes as much as a rung does: a hash of it, where it is not all 0.
+fn initial_values(project: &Project, add_on: &project::AddOn) -> Option<(String, String)> {
+    let region = project.defaults.of(add_on.instance_type?)?;
+    let mut hash = Sha256::new_with_prefix(b"twinrung initial values 1\0");
+    hash.update(&region.bits);
+    hash.update((region.bits.len() as u64).to_le_bytes());
+    region.words.iter().for_each(|word| hash.update(word.to_le_bytes()));
+    Some(("InitialValues".to_owned(), long_form(&hash.finalize())))
 }
 
 /// Programs.

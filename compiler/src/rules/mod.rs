@@ -181,8 +181,8 @@ pub(crate) fn check(project: &Project, findings: &mut Findings) {
 }
 
 /// Applies every rule that looks at what the files say beside what is compiled of them.
-pub(crate) fn check_files(files: &[&File], findings: &mut Findings) {
-    instruction_signature::check(files, findings);
+pub(crate) fn check_files(files: &[&File], project: &Project, findings: &mut Findings) {
+    instruction_signature::check(files, project, findings);
     maker_signature::check(files, findings);
     signature_history::check(files, findings);
 }

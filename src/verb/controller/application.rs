@@ -40,10 +40,10 @@ fn series(text: &str) -> Result<char, String> {
 const FIRST_SERIES: char = 'A';
 
 pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download) -> Ended {
-    let (trees, loaded) = match input::open(&arguments.project, &arguments.complete).map_err(failed)? {
-        Input::Image(loaded) => (Vec::new(), *loaded),
+    let (trees, loaded, from_image) = match input::open(&arguments.project, &arguments.complete).map_err(failed)? {
+        Input::Image(loaded) => (Vec::new(), *loaded, true),
         Input::Project(read) => match input::image_of(out, &arguments.project, &read, "; nothing was downloaded")? {
-            Ok(loaded) => (read.trees, loaded),
+            Ok(loaded) => (read.trees, loaded, false),
             Err(code) => return Ok(code),
         },
     };
@@ -60,10 +60,8 @@ pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download)
     let id = *loaded.image.application_signature();
     let name = loaded.image.image().controller.name.clone();
     let instructions = instructions::listing(&trees, &loaded.image)?;
-    let safety = trees.first().and_then(|tree| tree.controller.as_ref()).and_then(|one| one.safety.as_ref());
-    let configure_always = safety.and_then(|safety| safety.configure_io_always).is_some_and(|always| always.value);
     let Loaded { bytes, .. } = loaded;
-    let application = Application { name, image: bytes, instructions, configure_always };
+    let application = Application { name, image: bytes, instructions, from_image };
     let project = Project { made_for, id, application };
     let downloaded = match kept.state.download(project) {
         Ok(downloaded) => downloaded,
@@ -82,8 +80,8 @@ pub(super) fn download(out: &mut dyn Write, folder: &Path, arguments: &Download)
         }
         Downloaded::Unsigned => writeln!(out, "there is no safety task signature: the application is to be tested")?,
     }
-    for one in kept.state.application.iter().flat_map(|application| &application.instructions) {
-        writeln!(out, "{}", status::instruction_line(one))?;
+    for line in kept.state.application.iter().flat_map(status::instruction_lines) {
+        writeln!(out, "{line}")?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -17,6 +17,7 @@ use jiff::Timestamp;
 use twinrung_commission::LoadMode;
 
 use crate::exit;
+use crate::format::Format;
 use crate::input::Complete;
 use crate::terminal;
 
@@ -151,14 +152,6 @@ enum Do {
     Clear,
     /// Override the fault: standard tasks go on, the safety task does not
     Override,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For a terminal.
-    Human,
-    /// One JSON object.
-    Json,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -15,7 +15,7 @@ use crate::{exit, failed};
 #[derive(Debug, Args)]
 #[command(
     after_help = "Says whether the controller configures what stands in the place of a module (1734-UM013 Chapter 8), and what a person does\n\
-first where it does not. Whether it configures always is a setting of the project; in an image it does not.\n\
+first where it does not. Whether it configures always is a setting of the project.\n\
 Exit code: 0 it is configured, 1 it is not."
 )]
 pub(super) struct Replace {
@@ -80,7 +80,7 @@ pub(super) fn replace(out: &mut dyn Write, kept: &Kept, arguments: &Replace) -> 
     if !found.is_possible() {
         return refuse(out, &"a module that is out-of-box has no owner");
     }
-    let always = kept.state.application.as_ref().is_some_and(|application| application.configure_always);
+    let always = image.image().controller.configures_always();
     let policy = if always { Policy::Always } else { Policy::WithoutSignature };
     let words = if always { "Configure Always" } else { "Configure Only When No Safety Signature Exists" };
     writeln!(out, "{}: {words}", own.name)?;

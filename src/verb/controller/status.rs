@@ -1,17 +1,18 @@
 //! What a controller is, what it holds, and what is permitted now.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 use serde::Serialize;
 use twinrung_bytecode::signature::short_form;
-use twinrung_commission::{LogEntry, Permission, SealedInstruction, permissions};
+use twinrung_commission::{Application, LogEntry, Permission, SealedInstruction, permissions};
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{Keyswitch, SafetyTaskStatus};
 
 use super::folder::Kept;
 use super::{Ended, edits};
+use crate::format::write_json;
 
 pub(super) const fn mode_name(mode: Mode) -> &'static str {
     match mode {
@@ -45,8 +46,12 @@ fn action_name(permission: &Permission) -> String {
     }
 }
 
-/// A safety Add-On Instruction with the three values that are compared after a download.
-pub(super) fn instruction_line(one: &SealedInstruction) -> String {
+/// The safety Add-On Instructions, each with the three values that are compared after a download.
+pub(super) fn instruction_lines(application: &Application) -> impl Iterator<Item = String> {
+    application.instructions.iter().map(|one| instruction_line(one, application.from_image))
+}
+
+fn instruction_line(one: &SealedInstruction, from_image: bool) -> String {
     let safety = short_form(&one.safety);
     match (&one.instruction, &one.generated) {
         (Some(id), Some(generated)) => {
@@ -55,6 +60,9 @@ pub(super) fn instruction_line(one: &SealedInstruction) -> String {
                 one.name,
                 short_form(id)
             )
+        }
+        _ if from_image => {
+            format!("{}: an image does not say whether it is sealed; safety instruction signature {safety}", one.name)
         }
         _ => format!("{}: not sealed, safety instruction signature {safety}", one.name),
     }
@@ -87,8 +95,8 @@ pub(super) fn human(out: &mut dyn Write, folder: &Path, kept: &Kept) -> Ended {
     for (name, text) in lines {
         writeln!(out, "{name:20}{text}")?;
     }
-    for one in state.application.iter().flat_map(|application| &application.instructions) {
-        writeln!(out, "{:20}{}", "instruction", instruction_line(one))?;
+    for line in state.application.iter().flat_map(instruction_lines) {
+        writeln!(out, "{:20}{line}", "instruction")?;
     }
     for force in &state.forces {
         let enabled = if state.forces_enabled { "" } else { " (disabled)" };
@@ -143,6 +151,8 @@ struct Json<'a> {
     unlock_password: bool,
     signature: Option<twinrung_commission::SafetyTaskSignature>,
     instructions: &'a [SealedInstruction],
+    /// Whether the application came as an image, which does not say what is sealed.
+    from_image: bool,
     forces: &'a [twinrung_commission::Force],
     forces_enabled: bool,
     online_edit: Option<&'static str>,
@@ -197,6 +207,7 @@ pub(super) fn json(out: &mut dyn Write, kept: &Kept) -> Ended {
         unlock_password: state.passwords.unlock.is_some(),
         signature: state.signature,
         instructions: state.application.as_ref().map_or(&[], |application| &application.instructions),
+        from_image: state.application.as_ref().is_some_and(|application| application.from_image),
         forces: &state.forces,
         forces_enabled: state.forces_enabled,
         online_edit: state.edit.as_ref().map(|edit| edit.stage.words()),
@@ -206,8 +217,7 @@ pub(super) fn json(out: &mut dyn Write, kept: &Kept) -> Ended {
         log: &state.log,
         permissions,
     };
-    serde_json::to_writer(&mut *out, &json).map_err(io::Error::from)?;
-    writeln!(out)?;
+    write_json(out, &json)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 use twinrung_bytecode::signature::short_form;
 use twinrung_commission::SealedInstruction;
 
+use crate::format::write_json;
 use crate::input::{self, Complete, Input, Read};
 use crate::{exit, failed, instructions};
 
@@ -35,8 +36,7 @@ pub(super) fn show(out: &mut dyn Write, file: &Path, complete: &Complete, json: 
         Err(code) => return Ok(code),
     };
     if json {
-        serde_json::to_writer_pretty(&mut *out, &list).map_err(io::Error::from)?;
-        writeln!(out)?;
+        write_json(out, &list)?;
         return Ok(ExitCode::SUCCESS);
     }
     if list.is_empty() {

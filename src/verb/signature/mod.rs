@@ -7,9 +7,10 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, Subcommand, ValueEnum};
+use clap::{Args, Subcommand};
 use jiff::Timestamp;
 
+use crate::format::Format;
 use crate::input::Complete;
 use crate::terminal;
 
@@ -70,14 +71,6 @@ enum Do {
         /// The listing
         recorded: PathBuf,
     },
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// For a terminal.
-    Human,
-    /// One JSON list.
-    Json,
 }
 
 /// Lists, seals, compares.

@@ -7,10 +7,10 @@ use std::process::ExitCode;
 use jiff::{Timestamp, Unit};
 use twinrung_bytecode::signature::{long_form, short_form};
 use twinrung_commission::Refused;
-use twinrung_compiler::instruction_signature::{self as signature, HISTORY_ENTRIES_MAX, quoted};
+use twinrung_compiler::instruction_signature::{self as signature, Definitions, HISTORY_ENTRIES_MAX, quoted};
 use twinrung_controller::Mode;
 use twinrung_controller::protection::{Action, Place, State, judge};
-use twinrung_grammar::tree::{AddOnInstruction, Class, File, HistoryEntry, Sources, Span, Text, Trivia};
+use twinrung_grammar::tree::{AddOnInstruction, Class, File, HistoryEntry, Sources, Span, Text, Trivia, Usage};
 use twinrung_grammar::{print_file_checked, read_path};
 
 use super::listing;
@@ -36,7 +36,10 @@ impl Defined {
         let project = read_path(&mut Sources::new(), file).file;
         for path in paths {
             let reading = read_path(&mut Sources::new(), &path);
-            let at = reading.file.add_on_instructions.iter().position(|one| one.name.is(name));
+            let at = reading.file.add_on_instructions.iter().position(|one| {
+                // A reference is not what is compiled.
+                one.usage != Usage::Reference && one.name.is(name)
+            });
             let Some(at) = at else { continue };
             let in_file = |what: &str| io::Error::other(format!("{}: {what}", path.display()));
             if !files::has_ending(&path, "rll") {
@@ -104,7 +107,8 @@ pub(super) fn generate(
         Err(code) => return Ok(code),
     };
     let trees: Vec<&File> = read.trees.iter().collect();
-    let id = signature::instruction_signature(&trees, defined.instruction());
+    let Some(project) = &read.project else { return Err(io::Error::other("what was listed is a project")) };
+    let id = Definitions::new(&trees, project).signature(defined.instruction());
     let now = clock.unwrap_or_else(Timestamp::now).round(Unit::Second).map_err(failed)?.to_string();
     signature::set_seal(defined.instruction(), Some((long_form(&id), now.clone())));
     defined.write()?;

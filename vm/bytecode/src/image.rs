@@ -73,6 +73,16 @@ pub struct ControllerRecord {
     pub attributes: Attributes,
 }
 
+/// The setting of a controller that configures a replaced safety module always (1734-UM013 Chapter 8).
+pub const CONFIGURE_ALWAYS: (&str, &str) = ("ConfigureSafetyIOAlways", "Yes");
+
+impl ControllerRecord {
+    /// Whether it configures a replaced safety module always, and not only when no safety signature exists.
+    pub fn configures_always(&self) -> bool {
+        self.attributes.iter().any(|(key, value)| (key.as_str(), value.as_str()) == CONFIGURE_ALWAYS)
+    }
+}
+
 /// The type of a tag, member or parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TypeReference {

@@ -19,8 +19,8 @@ use sha2::{Digest, Sha256};
 
 use crate::container;
 use crate::error::ImageError;
-use crate::image::{Attributes, Image, Owner, TypeKind, TypeReference};
-use crate::index::{AddOnIndex, ProgramIndex, RoutineIndex};
+use crate::image::{AddOnRecord, Attributes, Image, Owner, TypeKind, TypeReference};
+use crate::index::{ProgramIndex, RoutineIndex};
 use crate::layout::{self, TypeLayout};
 use crate::text;
 
@@ -120,13 +120,28 @@ impl fmt::Display for ShortForm {
     }
 }
 
-/// A signature in 64 hexadecimal digits.
-pub fn long_form(signature: &[u8; 32]) -> String {
-    signature.iter().fold(String::with_capacity(64), |mut text, byte| {
+/// A signature in 64 hexadecimal digits; other bytes in two for each.
+pub fn long_form(signature: &[u8]) -> String {
+    signature.iter().fold(String::with_capacity(signature.len().saturating_mul(2)), |mut text, byte| {
         // A string takes whatever is written to it.
         let _ = write!(text, "{byte:02x}");
         text
     })
+}
+
+/// The bytes that pairs of hexadecimal digits write; `None` where a character is no digit or the last has no partner.
+pub fn bytes_of(digits: &str) -> Option<Vec<u8>> {
+    let nibble = |digit: &u8| char::from(*digit).to_digit(16).and_then(|value| u8::try_from(value).ok());
+    let pair = |pair: &[u8]| match pair {
+        [high, low] => Some(nibble(high)? << 4 | nibble(low)?),
+        _ => None,
+    };
+    digits.as_bytes().chunks(2).map(pair).collect()
+}
+
+/// The signature that [`long_form`] writes.
+pub fn of_long_form(text: &str) -> Option<[u8; 32]> {
+    bytes_of(text)?.try_into().ok()
 }
 
 /// Hashes text as it is written.
@@ -235,15 +250,19 @@ pub fn application_signature(leaves: &[Leaf]) -> [u8; 32] {
     application.finalize().into()
 }
 
-/// The safety instruction signature: what of an Add-On Instruction executes, with the instructions and types that it uses, and
-/// nothing of comments and descriptions (1756-RM093 Appendix B; the hash is decided). `None` where there is no such instruction.
-/// Initial values belong to the tags of an instruction, and the application signature covers them.
+/// The safety instruction signatures of all Add-On Instructions, in the order of their table: what of each executes, with the
+/// instructions and types that it uses, and nothing of comments and descriptions (1756-RM093 Appendix B; the hash is decided).
+/// The initial values of its parameters and local tags are among its attributes; those of a tag of its type belong to the tag.
 ///
 /// # Errors
 ///
 /// As [`leaves`].
-pub fn safety_instruction_signature(image: &Image, add_on: AddOnIndex) -> Result<Option<[u8; 32]>, ImageError> {
-    let Some(first) = image.add_ons.get(add_on.position()) else { return Ok(None) };
+pub fn safety_instruction_signatures(image: &Image) -> Result<Vec<[u8; 32]>, ImageError> {
+    let leaves = leaves(image)?;
+    Ok(image.add_ons.iter().map(|add_on| safety_instruction_signature(image, &leaves, add_on)).collect())
+}
+
+fn safety_instruction_signature(image: &Image, leaves: &[Leaf], first: &AddOnRecord) -> [u8; 32] {
     let mut names = alloc::vec![first.name.as_str()];
     let mut types = alloc::vec![first.instance_type];
     let mut taken = 0_usize;
@@ -268,7 +287,7 @@ pub fn safety_instruction_signature(image: &Image, add_on: AddOnIndex) -> Result
     let mut content = Content(Sha256::new_with_prefix(b"twinrung safety instruction 1\0"));
     content.part(&first.name);
     // The leaves begin with the routines, in the order of their table.
-    for (position, leaf) in leaves(image)?.into_iter().enumerate() {
+    for (position, leaf) in leaves.iter().enumerate() {
         let is_used = match leaf.kind {
             LeafKind::Routine => image.routines.get(position).is_some_and(|routine| match routine.owner {
                 Owner::AddOn(owner) => {
@@ -283,7 +302,7 @@ pub fn safety_instruction_signature(image: &Image, add_on: AddOnIndex) -> Result
             content.0.update(leaf.hash);
         }
     }
-    Ok(Some(content.0.finalize().into()))
+    content.0.finalize().into()
 }
 
 /// The image signature over an application signature and the hash of the image's bytes.

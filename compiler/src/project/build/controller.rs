@@ -1,5 +1,6 @@
 //! The controller and what it admits.
 
+use twinrung_bytecode::image::CONFIGURE_ALWAYS;
 use twinrung_catalog::Controller;
 use twinrung_grammar::tree::{self, Span};
 
@@ -68,6 +69,10 @@ pub(super) fn attributes(file: &tree::File) -> Vec<(String, String)> {
     }
     if let Some(level) = controller.safety.as_ref().and_then(|safety| safety.level.as_ref()) {
         list.push(("SafetyLevel".to_owned(), level.as_str().to_owned()));
+    }
+    let always = controller.safety.as_ref().and_then(|safety| safety.configure_io_always);
+    if always.is_some_and(|always| always.value) {
+        list.push((CONFIGURE_ALWAYS.0.to_owned(), CONFIGURE_ALWAYS.1.to_owned()));
     }
     list.sort();
     list
