@@ -11,8 +11,8 @@ use twinrung_bytecode::{AdmittedImage, ImageError, admit, bound};
 use twinrung_compiler::diagnostic::{BROKEN_FILE, Finding, OVER_LIMIT, UNREADABLE_FILE};
 use twinrung_compiler::lower::is_limit;
 use twinrung_compiler::{CheckedProject, Completion, check, compile};
-use twinrung_grammar::read_path;
 use twinrung_grammar::tree::{File, Sources};
+use twinrung_grammar::{Reading, read_path};
 use twinrung_workbench::Stimulus;
 
 use crate::findings::{self, Count, Report};
@@ -108,6 +108,21 @@ pub struct Read {
 }
 
 impl Read {
+    /// The project with its tree changed, checked again; where it cannot be changed, why. It had no errors before.
+    pub fn changed<E>(
+        self,
+        complete: &Complete,
+        change: impl FnOnce(&mut File) -> Result<(), E>,
+    ) -> Result<Result<Read, E>, InputError> {
+        let mut trees = self.trees.into_iter();
+        let mut file = trees.next().unwrap_or_default();
+        if let Err(why) = change(&mut file) {
+            return Ok(Err(why));
+        }
+        let completion = Completion { contexts: trees.collect(), ..complete.settings()? };
+        Ok(Ok(checked(self.sources, Vec::new(), Reading { file, errors: Vec::new() }, completion)))
+    }
+
     /// The findings with what they point into.
     pub fn report(&self) -> Report<'_> {
         Report { sources: &self.sources, trees: &self.trees, findings: &self.findings }
@@ -151,7 +166,8 @@ pub struct Loaded {
 const IMAGE_MAGIC: &[u8] = twinrung_bytecode::container::MAGIC.as_slice();
 
 impl Complete {
-    fn completion(&self, sources: &mut Sources, findings: &mut Vec<Finding>) -> Result<Completion, InputError> {
+    /// What it says without the files that it names.
+    fn settings(&self) -> Result<Completion, InputError> {
         let mut completion = Completion {
             period_ms: self.period,
             watchdog_ms: self.watchdog,
@@ -165,6 +181,11 @@ impl Complete {
             completion.controller = Some(catalog_number.to_owned());
             completion.revision = Some(revision);
         }
+        Ok(completion)
+    }
+
+    fn completion(&self, sources: &mut Sources, findings: &mut Vec<Finding>) -> Result<Completion, InputError> {
+        let mut completion = self.settings()?;
         for path in &self.context {
             let reading = readable(sources, path)?;
             findings.extend(reading.errors.iter().map(twinrung_compiler::diagnostic::reading_finding));
@@ -174,7 +195,7 @@ impl Complete {
     }
 }
 
-fn readable(sources: &mut Sources, path: &Path) -> Result<twinrung_grammar::Reading, InputError> {
+fn readable(sources: &mut Sources, path: &Path) -> Result<Reading, InputError> {
     // A missing file is the caller's mistake, not a finding in a project.
     fs::metadata(path).map_err(|error| InputError::Unreadable(path.to_owned(), error))?;
     Ok(read_path(sources, path))
@@ -187,31 +208,19 @@ pub fn open(path: &Path, complete: &Complete) -> Result<Input, InputError> {
         let image = admit(&bytes).map_err(|error| InputError::Image(path.to_owned(), error))?;
         return Ok(Input::Image(Box::new(Loaded { image, bytes })));
     }
-    let read = read_changed(path, complete, |_| Ok::<(), std::convert::Infallible>(()))?;
-    match read {
-        Ok(read) => Ok(Input::Project(Box::new(read))),
-        Err(never) => match never {},
-    }
-}
-
-/// Reads a project, changes its tree, and checks what it is then; where it cannot be changed, why.
-pub fn read_changed<E>(
-    path: &Path,
-    complete: &Complete,
-    change: impl FnOnce(&mut File) -> Result<(), E>,
-) -> Result<Result<Read, E>, InputError> {
     let mut sources = Sources::new();
     let mut findings = Vec::new();
     let completion = complete.completion(&mut sources, &mut findings)?;
-    let mut reading = readable(&mut sources, path)?;
-    if let Err(why) = change(&mut reading.file) {
-        return Ok(Err(why));
-    }
+    let reading = readable(&mut sources, path)?;
+    Ok(Input::Project(Box::new(checked(sources, findings, reading, completion))))
+}
+
+fn checked(sources: Sources, mut findings: Vec<Finding>, reading: Reading, completion: Completion) -> Read {
     let checked = check(&reading, &completion);
     findings.extend(checked.findings);
     let project = checked.project.filter(|_| !findings.iter().any(Finding::is_error));
     let trees = std::iter::once(reading.file).chain(completion.contexts).collect();
-    Ok(Ok(Read { sources, trees, findings, project }))
+    Read { sources, trees, findings, project }
 }
 
 fn is_image(path: &Path) -> Result<bool, InputError> {

@@ -11,7 +11,9 @@ use twinrung_bytecode::channel::{Channel, MajorFault, Place};
 use twinrung_bytecode::image::Image;
 use twinrung_controller::StopReason;
 use twinrung_primary::Primary;
+use twinrung_workbench::both_versions::own_rung;
 use twinrung_workbench::diagram::{self, Style};
+use twinrung_workbench::recording::Recording;
 use twinrung_workbench::{Outcome, Run as Session, Stimulus, difference};
 
 use crate::progress::with_progress;
@@ -74,21 +76,37 @@ impl Playing {
         heading: &str,
     ) -> io::Result<ExitCode> {
         if !self.quiet {
-            let terminal = Terminal::of_stdout();
-            let style = Style { columns: terminal.columns, colour: terminal.colour };
             writeln!(out, "{heading}\n")?;
-            out.write_all(diagram::draw(session.recording(), style).as_bytes())?;
-            writeln!(out)?;
+            draw(out, session.recording())?;
         }
         if let Some(path) = &self.out {
-            files::write_whole(path, session.recording().to_csv().as_bytes())?;
-            writeln!(out, "wrote {} ({} rows)", path.display(), session.recording().rows.len())?;
+            write(out, session.recording(), path)?;
         }
         played.report(out, session.controller().image())
     }
 }
 
+/// Draws the timing diagram.
+pub fn draw(out: &mut dyn Write, recording: &Recording) -> io::Result<()> {
+    let terminal = Terminal::of_stdout();
+    let style = Style { columns: terminal.columns, colour: terminal.colour };
+    out.write_all(diagram::draw(recording, style).as_bytes())?;
+    writeln!(out)
+}
+
+/// Writes the recording to a file, and says so.
+pub fn write(out: &mut dyn Write, recording: &Recording, path: &Path) -> io::Result<()> {
+    files::write_whole(path, recording.to_csv().as_bytes())?;
+    writeln!(out, "wrote {} ({} rows)", path.display(), recording.rows.len())
+}
+
 impl Played {
+    /// When the last scan was in which the task executed, in ms: the last of all, or that in which it stopped.
+    pub fn executed_until_ms(&self, period_ms: u64) -> Option<u64> {
+        let last = self.outcome.scans.checked_sub(1)?.saturating_mul(period_ms);
+        Some(self.stopped().map_or(last, |(at_ms, _)| at_ms))
+    }
+
     /// When and why the task stopped, if it did.
     pub fn stopped(&self) -> Option<(u64, StopReason)> {
         self.outcome.stopped.map(|(_, at_ms, reason)| (at_ms, reason))
@@ -129,8 +147,21 @@ pub fn explained(image: &AdmittedImage, reason: StopReason) -> String {
 
 fn place_words(image: &Image, place: Place) -> String {
     let program = image.programs.get(place.program.position()).map_or("?", |program| program.name.as_str());
-    let routine = image.routines.get(place.routine.position()).map_or("?", |routine| routine.name.as_str());
-    format!("{program}/{routine}, rung {}, instruction {}", place.rung, place.element)
+    let routine = image.routines.get(place.routine.position());
+    let (name, text) = routine.map_or(("?", ""), |routine| (routine.name.as_str(), routine.text.as_str()));
+    format!("{program}/{name}, {}, instruction {}", rung_words(text, place.rung as usize), place.element)
+}
+
+/// A rung by the number that a person finds it by, also while both versions of an online edit stand in its routine.
+fn rung_words(text: &str, rung: usize) -> String {
+    let own = own_rung(text, rung);
+    match (own.original, own.changed) {
+        (Some(original), Some(changed)) if original == changed => format!("rung {original}"),
+        (Some(original), Some(changed)) => format!("rung {original} ({changed} of the changed project)"),
+        (Some(original), None) => format!("rung {original} of the original rungs"),
+        (None, Some(changed)) => format!("rung {changed} of the changed rungs"),
+        (None, None) => "between the original and the changed rungs".to_owned(),
+    }
 }
 
 /// The names of `TAG,TAG`, or those of the file of `@FILE`, one on each line.

@@ -83,11 +83,8 @@ impl ControllerState {
         Some((&edit.both, edit.stage == Stage::Tested))
     }
 
-    /// The application that executes: with a tested edit the changed one.
-    pub fn executing(&self) -> Option<&[u8]> {
-        match (&self.edit, &self.application) {
-            (Some(edit), _) if edit.stage == Stage::Tested => Some(&edit.image),
-            (_, application) => application.as_ref().map(|application| application.image.as_slice()),
-        }
+    /// The application with the changed rungs, while they execute.
+    pub fn tested(&self) -> Option<&[u8]> {
+        self.edit.as_ref().filter(|edit| edit.stage == Stage::Tested).map(|edit| edit.image.as_slice())
     }
 }

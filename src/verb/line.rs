@@ -7,13 +7,12 @@ use std::process::ExitCode;
 use clap::Args;
 use twinrung_partner::Partner;
 use twinrung_primary::Primary;
-use twinrung_workbench::diagram::{self, Style};
 use twinrung_workbench::line::{Joining, Line};
 
 use crate::input::{self, Complete};
-use crate::play::{explained, listed};
-use crate::terminal::{self, Terminal};
-use crate::{exit, failed, files};
+use crate::play::{self, explained, listed};
+use crate::terminal;
+use crate::{exit, failed};
 
 /// Scans of the slowest controller that a run goes on after the last row of its stimulus.
 const PERIODS_AFTER_STIMULUS: u64 = 10;
@@ -96,14 +95,10 @@ pub fn run(arguments: &LineOfControllers) -> io::Result<ExitCode> {
     let last_ms = stimulus.as_ref().map_or(0, twinrung_workbench::Stimulus::last_ms);
     line.until(arguments.until.unwrap_or(last_ms.saturating_add(PERIODS_AFTER_STIMULUS * longest_ms)));
     if !arguments.quiet {
-        let terminal = Terminal::of_stdout();
-        let style = Style { columns: terminal.columns, colour: terminal.colour };
-        out.write_all(diagram::draw(line.recording(), style).as_bytes())?;
-        writeln!(out)?;
+        play::draw(&mut out, line.recording())?;
     }
     if let Some(path) = &arguments.out {
-        files::write_whole(path, line.recording().to_csv().as_bytes())?;
-        writeln!(out, "wrote {} ({} rows)", path.display(), line.recording().rows.len())?;
+        play::write(&mut out, line.recording(), path)?;
     }
     let mut code = ExitCode::SUCCESS;
     let mut worst = false;

@@ -25,6 +25,7 @@ mod image_bits;
 #[cfg(feature = "injection")]
 mod inject;
 mod line;
+mod line_command;
 mod mutations;
 mod online_edits;
 mod options;

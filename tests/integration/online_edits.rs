@@ -12,6 +12,9 @@ const DECLARATIONS: &str = "  MODULE Rack (CatalogNumber := \"1734-AENT\", Paren
     Scans : DINT (Class := Safety);
     Wait : TIMER (Class := Safety) := [0,10000,0];
     Latched : BOOL (Class := Safety);
+    Levels : DINT[2] (Class := Safety);
+    Level : DINT (Class := Safety);
+    Exists : SINT (Class := Safety);
   END_TAG
 ";
 
@@ -119,6 +122,55 @@ fn edit_when_something_else_than_rungs_changes_then_it_is_refused_with_what_it_i
     assert_eq!(stage(&cell), serde_json::Value::Null);
 }
 
+/// REQ-EDIT-003. The switch would be that tag, and the changed rungs would never execute.
+#[test]
+fn edit_when_a_program_tag_has_the_name_of_the_switch_then_it_is_refused() {
+    let with_tag = |rung: &str| {
+        let tag = "MAIN := \"Main\")\n    TAG\n      online_edit_tested : BOOL;\n    END_TAG\n";
+        project(rung).replacen("MAIN := \"Main\")\n", tag, 1)
+    };
+    let cell = Cell::with_project(&with_tag(BEFORE));
+    cell.refused(&begin(&cell, &with_tag(AFTER)), "a tag is called Online_Edit_Tested");
+}
+
+/// REQ-EDIT-003. Jumps in a zone that is off do not jump: rungs of both versions would execute.
+#[test]
+fn edit_when_it_changes_a_rung_in_a_zone_then_it_is_refused_and_behind_the_zone_it_is_not() {
+    let zone = |inside: &str, behind: &str| {
+        project(&format!("XIC(Doors:I.Pt01Data)MCR();\n      N: {inside};\n      N: MCR();\n      N: {behind}"))
+    };
+    let cell = Cell::with_project(&zone("OTE(Drives:O.Pt01Data)", BEFORE));
+    let inside = zone("XIC(Latched)OTE(Drives:O.Pt01Data)", BEFORE);
+    cell.refused(&begin(&cell, &inside), "stand in an MCR zone");
+    let behind = zone("OTE(Drives:O.Pt01Data)", AFTER);
+    cell.done(&begin(&cell, &behind));
+}
+
+/// REQ-EDIT-002. What GSV names is part of the rung.
+#[test]
+fn edit_when_a_changed_rung_reads_an_attribute_of_the_controller_then_it_executes() {
+    let cell = Cell::with_project(&project(BEFORE));
+    cell.done("mode run");
+    cell.done(&begin(&cell, &project("GSV(SAFETY,,SafetySignatureExists,Exists)")));
+    cell.done("edit accept");
+    cell.done("run --test-edits 20 --until 40 --quiet");
+    cell.done("edit assemble");
+    cell.done("run --until 40 --quiet");
+}
+
+/// REQ-EDIT-002. The name of an Add-On Instruction or of a tag is no jump.
+#[test]
+fn edit_when_a_rung_names_what_only_looks_like_a_jump_then_it_is_not_refused() {
+    let with_type = |rung: &str| {
+        let definition = "  ADD_ON_INSTRUCTION_DEFINITION My_JMP (Class := Safety)\n    PARAMETERS\n      From : BOOL (Usage := Input, Required := Yes);\n    END_PARAMETERS\n    ROUTINE Logic\n      N: NOP();\n    END_ROUTINE\n  END_ADD_ON_INSTRUCTION_DEFINITION\n";
+        let text = project(rung).replacen("  MODULE Rack", &format!("{definition}  MODULE Rack"), 1);
+        text.replacen("  TAG\n", "  TAG\n    One : My_JMP (Class := Safety);\n", 1)
+    };
+    let cell = Cell::with_project(&with_type(BEFORE));
+    let said = cell.ask(&begin(&cell, &with_type("My_JMP(One,Latched)")));
+    assert_eq!(said.code, Some(0), "{}", said.out);
+}
+
 /// REQ-EDIT-002. dual-channel-inputs.md 1.2: configuration takes effect with a change from Program to Run.
 #[test]
 fn edit_when_it_changes_a_safety_application_instruction_then_it_is_refused() {
@@ -183,6 +235,39 @@ fn tags_when_an_edit_is_tested_and_untested_in_a_run_then_they_go_on_and_only_th
     assert_eq!(fs::read_to_string(&out).unwrap(), expected);
     assert_eq!(stage(&cell), "accepted: the original rungs execute");
     cell.done(&format!("{run} --test-edits 45"));
+    assert_eq!(stage(&cell), "tested: the changed rungs execute");
+}
+
+/// REQ-EDIT-003. A moment that the scans did not come to.
+#[test]
+fn edit_when_the_run_ends_before_it_is_tested_then_it_stays_accepted() {
+    let cell = with_project();
+    cell.done("mode run");
+    cell.done(&format!("edit begin {}", cell.path("changed.rll").display()));
+    cell.done("edit accept");
+    cell.done("run --test-edits 25 --until 24 --quiet");
+    assert_eq!(stage(&cell), "accepted: the original rungs execute");
+    cell.done("run --test-edits 25 --until 29 --quiet");
+    assert_eq!(stage(&cell), "accepted: the original rungs execute");
+    cell.done("run --test-edits 25 --until 30 --quiet");
+    assert_eq!(stage(&cell), "tested: the changed rungs execute");
+}
+
+/// REQ-EDIT-003, REQ-EDIT-004. What would come after the task stopped does not happen.
+#[test]
+fn edit_when_a_changed_rung_faults_then_the_rung_is_named_and_the_edit_stays_tested() {
+    let cell = with_project();
+    cell.done("mode run");
+    cell.done(&begin(&cell, &project("XIC(Doors:I.Pt00Data)MOV(Levels[Scans],Level)")));
+    cell.done("edit accept");
+    cell.write("stimulus.csv", "time_ms,Doors:I.Pt00Data\n0,1\n");
+    let stimulus = cell.path("stimulus.csv");
+    let said =
+        cell.ask(&format!("run --stimulus {} --test-edits 0 --untest-edits 30 --until 50 --quiet", stimulus.display()));
+    assert_eq!(said.code, Some(4), "{}{}", said.out, said.err);
+    let place = "major fault 4/20 at Safety_Main/Main, rung 3 of the changed rungs, instruction 1";
+    assert!(said.out.contains(place), "{}", said.out);
+    assert!(cell.status()["fault"]["what"].as_str().unwrap().contains(place));
     assert_eq!(stage(&cell), "tested: the changed rungs execute");
 }
 

@@ -17,7 +17,7 @@
 use std::fmt;
 
 use twinrung_bytecode::image::{Image, Owner, RoutineRecord};
-use twinrung_grammar::tree::{File, Program, Routine, RoutineBody, Rung, Sources, Tag};
+use twinrung_grammar::tree::{Element, File, Program, Routine, RoutineBody, Rung, Sources, Tag};
 
 /// The tag that is the switch.
 pub const SWITCH: &str = "Online_Edit_Tested";
@@ -29,7 +29,9 @@ pub enum SideBySide {
     Routine(String),
     /// The rungs that change hold a zone, a label or a jump, which do not stand in one routine twice.
     Control(String),
-    /// The project has a tag of the switch's name.
+    /// The rungs that change stand in an MCR zone: while it is off, the jumps over them do not jump.
+    Zone(String),
+    /// The project has a tag of the switch's name, in whatever scope.
     Switch,
 }
 
@@ -40,6 +42,7 @@ impl fmt::Display for SideBySide {
             SideBySide::Control(name) => {
                 write!(f, "the rungs of {name} that change hold an LBL, a JMP or an MCR")
             }
+            SideBySide::Zone(name) => write!(f, "the rungs of {name} that change stand in an MCR zone"),
             SideBySide::Switch => write!(f, "a tag is called {SWITCH}"),
         }
     }
@@ -77,7 +80,10 @@ pub fn put_side_by_side(
     after: &Image,
     changed: &[String],
 ) -> Result<(), SideBySide> {
-    if project.tags.iter().any(|tag| tag.name.is(SWITCH)) {
+    // What completes a partial export has tags too: the image holds them all.
+    let own = project.tags.iter().chain(project.programs.iter().flat_map(|program| &program.tags));
+    let is_switch = |name: &str| name.eq_ignore_ascii_case(SWITCH);
+    if own.map(|tag| tag.name.as_str()).any(is_switch) || after.tags.iter().any(|tag| is_switch(&tag.name)) {
         return Err(SideBySide::Switch);
     }
     for (number, name) in changed.iter().enumerate() {
@@ -94,14 +100,15 @@ pub fn put_side_by_side(
         let tail = old_rest.iter().rev().zip(new_rest.iter().rev()).take_while(|(one, other)| one == other).count();
         let original = old_rest.get(..old_rest.len() - tail).unwrap_or_default();
         let differs = new_rest.get(..new_rest.len() - tail).unwrap_or_default();
-        let holds = |line: &&str| ["LBL(", "JMP(", "MCR("].iter().any(|word| line.contains(word));
-        if original.iter().chain(differs).any(holds) {
+        let [originals, changes] = [original, differs].map(rungs);
+        if originals.iter().chain(&changes).any(|rung| ["LBL", "JMP", "MCR"].iter().any(|word| calls(rung, word))) {
             return Err(SideBySide::Control(name.clone()));
         }
-        let (label, alike) = (format!("Online_Edit_{number}_Changed"), format!("Online_Edit_{number}_Alike"));
-        let jump = format!("XIC({SWITCH})JMP({label});");
-        let (over, begin, end) =
-            (format!("JMP({alike});"), format!("LBL({label})NOP();"), format!("LBL({alike})NOP();"));
+        // A zone is begun by one MCR and ended by the next.
+        if !own.iter().take(head).filter(|rung| calls(rung, "MCR")).count().is_multiple_of(2) {
+            return Err(SideBySide::Zone(name.clone()));
+        }
+        let Switches { jump, over, begin, end } = Switches::of(number);
         let mut list = vec![jump.as_str()];
         list.extend(original);
         list.extend([over.as_str(), begin.as_str()]);
@@ -119,6 +126,73 @@ pub fn put_side_by_side(
     Ok(())
 }
 
+/// The rungs that an edit puts between those of the two versions.
+struct Switches {
+    jump: String,
+    over: String,
+    begin: String,
+    end: String,
+}
+
+impl Switches {
+    fn of(number: usize) -> Switches {
+        let (label, alike) = (format!("Online_Edit_{number}_Changed"), format!("Online_Edit_{number}_Alike"));
+        Switches {
+            jump: format!("XIC({SWITCH})JMP({label});"),
+            over: format!("JMP({alike});"),
+            begin: format!("LBL({label})NOP();"),
+            end: format!("LBL({alike})NOP();"),
+        }
+    }
+}
+
+/// Which rung of each version, from 0, a rung of a routine with both versions is; nothing where it is not of that version.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OwnRung {
+    /// Its number before the edit.
+    pub original: Option<usize>,
+    /// Its number in the changed project.
+    pub changed: Option<usize>,
+}
+
+/// What a rung of a routine is, whose text may hold both versions.
+pub fn own_rung(text: &str, rung: usize) -> OwnRung {
+    let begins = format!("XIC({SWITCH})JMP(Online_Edit_");
+    let number = text.lines().find_map(|line| line.strip_prefix(&begins)?.split('_').next()?.parse().ok());
+    let same = OwnRung { original: Some(rung), changed: Some(rung) };
+    let Some(Switches { jump, over, begin, end }) = number.map(Switches::of) else { return same };
+    let at = |switch: &str| text.lines().position(|line| line == switch);
+    let (Some(jump), Some(over), Some(begin), Some(end)) = (at(&jump), at(&over), at(&begin), at(&end)) else {
+        return same;
+    };
+    let original = match rung {
+        _ if rung < jump => Some(rung),
+        _ if jump < rung && rung < over => Some(rung - 1),
+        _ if rung > end => Some(rung - (end - over) - 2),
+        _ => None,
+    };
+    let changed = match rung {
+        _ if rung < jump => Some(rung),
+        _ if begin < rung && rung < end => Some(rung - (begin - jump) - 1),
+        _ if rung > end => Some(rung - (begin - jump) - 2),
+        _ => None,
+    };
+    OwnRung { original, changed }
+}
+
+/// Whether a rung holds an instruction, in a branch too.
+fn calls(rung: &Rung, mnemonic: &str) -> bool {
+    let mut open: Vec<&Element> = rung.elements.iter().collect();
+    while let Some(element) = open.pop() {
+        match element {
+            Element::Instruction(instruction) if instruction.mnemonic.is(mnemonic) => return true,
+            Element::Instruction(_) => {}
+            Element::Branch(branch) => open.extend(branch.legs.iter().flat_map(|leg| &leg.elements)),
+        }
+    }
+    false
+}
+
 fn text_of<'i>(image: &'i Image, name: &str) -> Option<&'i str> {
     let (program, routine) = name.split_once('/')?;
     let is_of = |record: &&RoutineRecord| {
@@ -132,4 +206,43 @@ fn routine_of<'f>(project: &'f mut File, name: &str) -> Option<&'f mut Routine> 
     let (program, routine) = name.split_once('/')?;
     let program: &mut Program = project.programs.iter_mut().find(|own| own.name.is(program))?;
     program.routines.iter_mut().find(|own| own.name.is(routine))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rungs alike, one original rung, two changed ones, one alike.
+    const BOTH: &str = "NOP();\nNOP();\nXIC(Online_Edit_Tested)JMP(Online_Edit_3_Changed);\nOTE(A);\nJMP(Online_Edit_3_Alike);\nLBL(Online_Edit_3_Changed)NOP();\nOTE(B);\nOTE(C);\nLBL(Online_Edit_3_Alike)NOP();\nOTE(D);\n";
+
+    fn numbers(text: &str) -> Vec<(Option<usize>, Option<usize>)> {
+        let own = |rung| own_rung(text, rung);
+        (0..text.lines().count()).map(own).map(|own| (own.original, own.changed)).collect()
+    }
+
+    /// REQ-EDIT-004.
+    #[test]
+    fn rung_when_both_versions_stand_side_by_side_then_it_has_the_number_of_each_version_that_has_it() {
+        let both = |original, changed| (Some(original), Some(changed));
+        let none = (None, None);
+        let expected = [
+            both(0, 0),
+            both(1, 1),
+            none,
+            (Some(2), None),
+            none,
+            none,
+            (None, Some(2)),
+            (None, Some(3)),
+            none,
+            both(3, 4),
+        ];
+        assert_eq!(numbers(BOTH), expected);
+    }
+
+    /// REQ-EDIT-004.
+    #[test]
+    fn rung_when_its_routine_is_not_edited_then_it_keeps_its_number() {
+        assert_eq!(numbers("NOP();\nOTE(A);\n"), [(Some(0), Some(0)), (Some(1), Some(1))]);
+    }
 }

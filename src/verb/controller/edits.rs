@@ -109,7 +109,7 @@ fn begin(out: &mut dyn Write, kept: &mut Kept, project: &Path, complete: &Comple
     }
     let (before, after) = (own.image(), loaded.image.image());
     let side_by_side = |tree: &mut File| put_side_by_side(tree, before, after, &routines);
-    let both = match input::read_changed(project, complete, side_by_side).map_err(failed)? {
+    let both = match read.changed(complete, side_by_side).map_err(failed)? {
         Ok(both) => both,
         Err(why) => return refuse(out, &format!("{why}\n  way out: download the project")),
     };

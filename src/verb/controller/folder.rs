@@ -81,10 +81,10 @@ impl Kept {
 
     /// What executes: the application, or with a tested online edit the changed one.
     pub(super) fn executing(&self) -> io::Result<Option<(AdmittedImage, &[u8])>> {
-        self.admitted()?;
-        let Some(bytes) = self.state.executing() else { return Ok(None) };
+        let own = self.admitted()?;
+        let Some(bytes) = self.state.tested() else { return Ok(own) };
         let image = admit(bytes)
-            .map_err(|error| io::Error::other(format!("what executes in the controller is refused: {error}")))?;
+            .map_err(|error| io::Error::other(format!("the online edit in the controller is refused: {error}")))?;
         Ok(Some((image, bytes)))
     }
 }

@@ -138,16 +138,18 @@ fn code_of(kind: FaultKind) -> ExitCode {
     }
 }
 
-/// When the switch of an online edit is turned, in ms, and where to; `state` is then as it is after that.
-fn turns(state: &mut ControllerState, arguments: &Run) -> Result<Vec<(u64, bool)>, Refused> {
+/// When the switch of an online edit is to be turned, in ms, and where to.
+fn turns(arguments: &Run) -> Vec<(u64, bool)> {
     let mut turns: Vec<(u64, bool)> = Vec::new();
     turns.extend(arguments.test_edits.map(|at_ms| (at_ms, true)));
     turns.extend(arguments.untest_edits.map(|at_ms| (at_ms, false)));
     turns.sort_by_key(|(at_ms, _)| *at_ms);
-    for (_, test) in &turns {
-        if *test { state.test_edits()? } else { state.untest_edits()? }
-    }
-    Ok(turns)
+    turns
+}
+
+/// Turns the switch: `state` is then as it is after the last of these turns.
+fn turn(state: &mut ControllerState, turns: &[(u64, bool)]) -> Result<(), Refused> {
+    turns.iter().try_for_each(|(_, test)| if *test { state.test_edits() } else { state.untest_edits() })
 }
 
 /// A stimulus with the switch of an online edit as its last column.
@@ -183,15 +185,15 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
         )?;
         return Ok(code_of(fault.kind));
     }
-    let before = kept.state.clone();
-    let turns = match turns(&mut kept.state, arguments) {
-        Ok(turns) => turns,
-        Err(why) => return refuse(out, &why),
+    let mut turns = turns(arguments);
+    if let Err(why) = turn(&mut kept.state.clone(), &turns) {
+        return refuse(out, &why);
+    }
+    let (executing, tested) = match kept.both_versions()? {
+        Some((image, bytes, tested)) => (Some((image, bytes)), Some(tested)),
+        None => (kept.executing()?, None),
     };
-    let after = std::mem::replace(&mut kept.state, before);
-    let both = kept.both_versions()?;
-    let Some((image, bytes)) = both.as_ref().map(|(image, bytes, _)| (image.clone(), *bytes)).or(kept.executing()?)
-    else {
+    let Some((image, bytes)) = executing else {
         return refuse(out, &"the controller holds no application: download the project");
     };
     let stimulus = match &arguments.stimulus {
@@ -205,8 +207,8 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
         writeln!(out, "the stimulus drives {tag}, which is safety data and no input")?;
         return refuse(out, &why);
     }
-    let stimulus = match &both {
-        Some((_, _, tested)) => Some(switched(stimulus, *tested, &turns)?),
+    let stimulus = match tested {
+        Some(tested) => Some(switched(stimulus, tested, &turns)?),
         None => stimulus,
     };
     let names = match &arguments.record {
@@ -218,8 +220,11 @@ pub(super) fn run(out: &mut dyn Write, kept: &mut Kept, arguments: &Run) -> Ende
     holds.into_iter().for_each(|hold| session.hold(hold));
     let heading = format!("{} mode, one scan every {} ms", mode_name(kept.state.mode), session.period_ms());
     let played = arguments.playing.play(&mut session, stimulus.as_ref(), &names)?;
-    if after.edit != kept.state.edit {
-        kept.state = after;
+    // What was not reached, or would have come after the task stopped, did not happen.
+    let executed_until_ms = played.executed_until_ms(session.period_ms());
+    turns.retain(|(at_ms, _)| executed_until_ms.is_some_and(|last_ms| *at_ms <= last_ms));
+    if !turns.is_empty() {
+        turn(&mut kept.state, &turns).map_err(failed)?;
         kept.keep()?;
     }
     if let Some((at_ms, reason)) = played.stopped() {

@@ -13,8 +13,6 @@ use twinrung_bytecode::signature::{LeafKind, leaves};
 pub enum Unfit {
     /// Something else than the routines of safety programs differs: its kind and name.
     Other(&'static str, String),
-    /// The attributes that GSV and SSV name, or the tasks that EVENT names, differ.
-    System,
     /// One of the images cannot be described.
     Image(ImageError),
 }
@@ -24,7 +22,6 @@ impl fmt::Display for Unfit {
         match self {
             Unfit::Other(kind, name) if name.is_empty() => write!(f, "the {kind} differ"),
             Unfit::Other(kind, name) => write!(f, "the {kind} `{name}` differs"),
-            Unfit::System => f.write_str("other attributes or tasks are named by GSV, SSV or EVENT"),
             Unfit::Image(error) => write!(f, "{error}"),
         }
     }
@@ -59,8 +56,5 @@ pub fn fits(before: &Image, after: &Image) -> Result<Vec<String>, Unfit> {
     if let Some(missing) = old.get(new.len()) {
         return Err(Unfit::Other(missing.kind.name(), missing.name.clone()));
     }
-    let system = before.system_values == after.system_values && before.event_tasks == after.event_tasks;
-    let cells = before.initial_bits.len() == after.initial_bits.len()
-        && before.initial_words.len() == after.initial_words.len();
-    if system && cells { Ok(changed) } else { Err(Unfit::System) }
+    Ok(changed)
 }
