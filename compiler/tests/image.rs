@@ -51,11 +51,12 @@ fn setting_when_it_holds_a_control_character_then_a_blank_stands_for_it() {
     let vendor = |name: &str| {
         let tags = format!("{TAGS}\n    One : Unit (Class := Safety);");
         let image = admitted(&project(&UNIT.replace("Acme Safety", name), &tags, "OTE(X)", ""));
-        image.image().add_ons[0].attributes.clone()
+        let settings = &image.image().add_ons[0].attributes;
+        settings.iter().find(|(key, _)| key == "Vendor").unwrap().1.clone()
     };
-    assert_eq!(vendor("Acme Safety"), [("Vendor".to_owned(), "Acme Safety".to_owned())]);
-    assert_eq!(vendor("Acme\tSafety"), [("Vendor".to_owned(), "\"Acme Safety\"".to_owned())]);
-    assert_eq!(vendor("Acme (Safety)"), [("Vendor".to_owned(), "\"Acme (Safety)\"".to_owned())]);
+    assert_eq!(vendor("Acme Safety"), "Acme Safety");
+    assert_eq!(vendor("Acme\tSafety"), "\"Acme Safety\"");
+    assert_eq!(vendor("Acme (Safety)"), "\"Acme (Safety)\"");
 }
 
 #[test]
