@@ -31,6 +31,8 @@
 //! * A line that begins with a number is a time in ms since the first scan. Left of `->` stand input operands that
 //!   change before the scan at that time, `rung=0` or `rung=1`, and `prescan` where a prescan comes before that scan;
 //!   right of it output members that have this value from that scan on. Everything keeps its value until a later line.
+//!   `leap=N` stands there too: the scan at this time and all after it come N ms later, so that times can be run that no
+//!   period reaches. Later lines and `end` keep their times as if nothing had leapt.
 //!   A configuration operand may stand there too: it then changes at run time, which no admitted image can do.
 //! * At the start every input is 0, the rung condition is 1, and a prescan has been executed with the operands of
 //!   time 0. Scans are at 0, period, 2 x period ... up to and including the time of `end`.

@@ -120,13 +120,16 @@ fn periods(text: &str) -> Result<Vec<u32>, Kind> {
 
 fn step(opcode: Opcode, declaration: &'static SafetyApplication, at_ms: u32, text: &'static str) -> Result<Step, Kind> {
     let (changes, expectations) = text.split_once("->").unwrap_or((text, ""));
-    let mut step = Step { at_ms, prescan: false, rung: None, inputs: Vec::new(), expected: Vec::new() };
+    let mut step = Step { at_ms, leap_ms: 0, prescan: false, rung: None, inputs: Vec::new(), expected: Vec::new() };
     for item in changes.split_whitespace() {
         match item {
             "prescan" => step.prescan = true,
             "rung=0" => step.rung = Some(false),
             "rung=1" => step.rung = Some(true),
-            _ => step.inputs.push(setting(opcode, declaration, item)?),
+            _ => match item.strip_prefix("leap=") {
+                Some(leap) => step.leap_ms = leap.parse().map_err(|_| Kind::BadNumber)?,
+                None => step.inputs.push(setting(opcode, declaration, item)?),
+            },
         }
     }
     for item in expectations.split_whitespace() {

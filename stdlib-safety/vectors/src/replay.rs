@@ -12,6 +12,7 @@ pub struct Replay<'vector> {
     vector: &'vector Vector,
     period_ms: u32,
     next_ms: Option<u32>,
+    leapt_ms: i64,
     next_step: usize,
     rung: bool,
     operands: Vec<i32>,
@@ -21,7 +22,7 @@ pub struct Replay<'vector> {
 /// One scan of a replay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Scan {
-    /// Time in ms.
+    /// Time in ms, with the leaps so far.
     pub now_ms: i64,
     /// Whether a prescan comes first. The first scan always has one.
     pub prescan: bool,
@@ -39,6 +40,7 @@ impl Vector {
             vector: self,
             period_ms,
             next_ms: Some(0),
+            leapt_ms: 0,
             next_step: 0,
             rung: true,
             operands: vec![0; operands],
@@ -58,6 +60,7 @@ impl Replay<'_> {
         let mut prescan = now_ms == 0;
         while let Some(step) = vector.steps.get(self.next_step).filter(|step| step.at_ms <= now_ms) {
             self.next_step = self.next_step.saturating_add(1);
+            self.leapt_ms = self.leapt_ms.saturating_add(i64::from(step.leap_ms));
             prescan |= step.prescan;
             self.rung = step.rung.unwrap_or(self.rung);
             step.inputs.iter().for_each(|setting| self.set(setting));
@@ -67,7 +70,7 @@ impl Replay<'_> {
                 }
             }
         }
-        Some(Scan { now_ms: i64::from(now_ms), prescan, rung: self.rung })
+        Some(Scan { now_ms: i64::from(now_ms).saturating_add(self.leapt_ms), prescan, rung: self.rung })
     }
 
     fn set(&mut self, setting: &Setting) {

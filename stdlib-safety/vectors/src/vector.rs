@@ -34,6 +34,8 @@ pub struct Vector {
 pub struct Step {
     /// Time in ms since the first scan.
     pub at_ms: u32,
+    /// How much later than the times of the vector the scan at this time and those after it come, in ms; leaps add up.
+    pub leap_ms: u32,
     /// Whether a prescan comes before the scan at this time.
     pub prescan: bool,
     /// The rung condition from this scan on, where it is set.

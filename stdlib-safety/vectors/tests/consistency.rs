@@ -143,6 +143,16 @@ fn vectors_when_their_configuration_is_out_of_range_or_changes_then_they_are_not
 }
 
 #[test]
+fn replay_when_steps_leap_then_their_scans_and_all_after_them_come_later() {
+    let text =
+        "vector X\nsource s\nmark decided\nperiod 10\n0 InputStatus=1\n20 leap=3000000000\n30 leap=4 Reset=1\n40 end\n";
+    let vectors = parse(Opcode::Csm, text).unwrap();
+    let mut replay = vectors[0].replay(10);
+    let times: Vec<i64> = std::iter::from_fn(|| replay.next_scan().map(|scan| scan.now_ms)).collect();
+    assert_eq!(times, vec![0, 10, 3_000_000_020, 3_000_000_034, 3_000_000_044]);
+}
+
+#[test]
 fn normal_operation_when_looked_up_then_one_vector_of_each_instruction_is_marked_and_it_shows_no_fault() {
     for opcode in instructions() {
         let vectors = for_instruction(opcode).unwrap();
@@ -158,7 +168,10 @@ fn normal_operation_when_looked_up_then_one_vector_of_each_instruction_is_marked
         };
         assert!(!shown("FP", 1), "{opcode:?} shows a fault");
         assert!(marked[0].is_admissible(), "{opcode:?} is no call that compiles");
-        assert!(marked[0].steps.iter().all(|step| step.rung.is_none() && !step.prescan), "{opcode:?}");
+        assert!(
+            marked[0].steps.iter().all(|step| step.rung.is_none() && !step.prescan && step.leap_ms == 0),
+            "{opcode:?}"
+        );
     }
 }
 
