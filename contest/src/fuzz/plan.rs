@@ -1,6 +1,6 @@
 //! How a campaign is run: on which threads, for how long, with or without guidance.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -73,13 +73,13 @@ impl Plan {
         let begun = Instant::now();
         let (next, over) = (AtomicU64::new(0), AtomicBool::new(false));
         let corpus = Mutex::new(Corpus::default());
-        let done = AtomicU64::new(0);
+        let (done, failed) = (AtomicU64::new(0), AtomicUsize::new(0));
         let mut campaign = Campaign::default();
         thread::scope(|scope| {
             let (sender, receiver) = mpsc::sync_channel::<(Ran, Option<Genome>)>(1_024);
             for job in 0..self.jobs {
                 let sender = sender.clone();
-                let (next, over, corpus, done) = (&next, &over, &corpus, &done);
+                let (next, over, corpus, done, failed) = (&next, &over, &corpus, &done, &failed);
                 scope.spawn(move || {
                     let mut random = Random::new(self.seed ^ (job as u64) << 48 ^ 0x6A1D_ED00);
                     while !over.load(Ordering::Relaxed) && begun.elapsed() < self.time {
@@ -91,6 +91,9 @@ impl Plan {
                         let programs = done.fetch_add(1, Ordering::Relaxed) + 1;
                         if let Ran::Failed(failure) = &mut ran {
                             failure.found = Some(Found { after: begun.elapsed(), programs });
+                            // Counted here: whoever adds them up may be behind.
+                            let differences = failed.fetch_add(1, Ordering::Relaxed) + 1;
+                            over.fetch_or(differences >= self.differences, Ordering::Relaxed);
                             if !self.as_found {
                                 failure.shrink::<C>();
                             }
@@ -110,7 +113,6 @@ impl Plan {
                     told(Told::Kept(&genome));
                 }
                 told(if failed { Told::Difference(&campaign) } else { Told::Program(&campaign) });
-                over.fetch_or(campaign.failures.len() >= self.differences, Ordering::Relaxed);
             }
         });
         campaign

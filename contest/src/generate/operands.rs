@@ -257,6 +257,7 @@ impl Writer<'_> {
             if is_off_timer {
                 self.off_timers.push(name.clone());
             }
+            self.owned.push((kind, name.clone()));
             name
         };
         if kind == Kind::Control {

@@ -26,7 +26,7 @@ impl Palette {
     pub fn of(random: &mut Random) -> Palette {
         let mut palette = Palette::default();
         if random.one_in(3) {
-            let kept = *random.of(&[8, 16, 32]);
+            let kept = *random.of(&[4, 8, 16, 32]);
             for (weight, instruction) in palette.weights.iter_mut().zip(ALL) {
                 // Without these no rung has a condition, or acts.
                 let is_needed = matches!(instruction.opcode, Opcode::Xic | Opcode::Ote);

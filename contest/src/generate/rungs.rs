@@ -2,7 +2,7 @@
 
 use twinrung_catalog::{Instruction, Position};
 
-use super::data::{Kind, Part, Role};
+use super::data::{Kind, Part, Place, Role};
 use super::literals;
 use super::writer::{Passing, Writer};
 
@@ -202,7 +202,9 @@ impl Writer<'_> {
             let rung = self.labelled_rung();
             rungs.push(rung);
         }
-        let rounds = if self.random.one_in(60) { 2000 } else { self.random.between(1, 5) };
+        // At 1,001 jumps back a routine has come to no end: just below, at, and beyond.
+        let rounds =
+            if self.random.one_in(60) { *self.random.of(&[1001, 1002, 2000]) } else { self.random.between(1, 5) };
         rungs.push(format!("LES({count},{rounds})JMP({label})"));
     }
 
@@ -220,20 +222,31 @@ impl Writer<'_> {
         rungs.push("MCR()".to_owned());
     }
 
-    /// Values for the members of structures that random writes leave alone.
+    /// Values for the members of structures that random writes leave alone: those of an instruction before, or any.
     fn written_member(&mut self) -> String {
         let condition = self.input();
-        let Some(named) = self.place(|place| place.kind.is_structure() && !place.is_array() && place.writable) else {
-            return format!("{condition}NOP()");
-        };
-        let (member, value) = match named.kind {
-            Kind::Counter => (*self.random.of(&["PRE", "ACC"]), literals::integer(self.random)),
-            Kind::Control => {
-                (*self.random.of(&["LEN", "POS"]), self.random.below(6) as i32 - i32::from(self.random.one_in(20)))
+        let of_an_instruction = !self.owned.is_empty() && self.random.percent(50);
+        let (kind, text) = if of_an_instruction {
+            self.random.of(&self.owned.clone()).clone()
+        } else {
+            let fits = |place: &Place| place.kind.is_structure() && !place.is_array() && place.writable;
+            match self.place(fits) {
+                Some(named) => (named.kind, named.text),
+                None => return format!("{condition}NOP()"),
             }
-            _ => (*self.random.of(&["PRE", "ACC"]), self.random.below(80) as i32 - i32::from(self.random.one_in(20))),
         };
-        format!("{condition}MOV({value},{}.{member})", named.text)
+        let (member, value) = match kind {
+            Kind::Counter => (*self.random.of(&["PRE", "ACC"]), literals::integer(self.random)),
+            Kind::Control => (*self.random.of(&["LEN", "POS"]), self.also_negative(6)),
+            _ => (*self.random.of(&["PRE", "ACC"]), self.also_negative(80)),
+        };
+        format!("{condition}MOV({value},{text}.{member})")
+    }
+
+    /// A number below a limit, or sometimes one below 0, which is a fault in most members.
+    fn also_negative(&mut self, limit: usize) -> i32 {
+        let number = self.random.below(limit) as i32;
+        if self.random.one_in(6) { -1 - number } else { number }
     }
 
     /// A fault that the program raises itself.

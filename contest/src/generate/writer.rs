@@ -128,6 +128,8 @@ pub struct Writer<'w> {
     pub pending_labels: Vec<String>,
     /// Numbers fresh names.
     pub fresh: usize,
+    /// Structures that an instruction has for itself.
+    pub owned: Vec<(Kind, String)>,
     /// Timers of TOFs, which RES must not name.
     pub off_timers: Vec<String>,
     /// Passed timers that TOF has, and structures that RES resets: the two keep apart.
@@ -242,14 +244,13 @@ impl Writer<'_> {
             return format!("{control}.POS");
         }
         let one = self.index(size);
-        match self.random.below(12) {
-            0 => {
-                let power = 1 << size.ilog2();
-                match self.plain_integer() {
-                    Some(number) => format!("{number} AND {}", power - 1),
-                    None => one,
-                }
-            }
+        // In range whatever the numbers are.
+        let mask = (1 << size.ilog2()) - 1;
+        match self.random.below(13) {
+            0 => match self.plain_integer() {
+                Some(number) => format!("{number} AND {mask}"),
+                None => one,
+            },
             1 => match self.plain_integer() {
                 Some(number) => format!("ABS({number}) MOD {size}"),
                 None => one,
@@ -270,6 +271,12 @@ impl Writer<'_> {
                     }
                 }
             }
+            5 => match (self.plain_integer(), self.plain_integer()) {
+                (Some(left), Some(right)) => {
+                    format!("({left}{}{right}) AND {mask}", *self.random.of(&['+', '-', '*']))
+                }
+                _ => one,
+            },
             _ => one,
         }
     }
