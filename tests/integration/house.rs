@@ -41,7 +41,7 @@ const ALLOWED: &[(&str, &[&str], &[&str])] = &[
         &[],
     ),
     ("twinrung-conformance", &["twinrung-catalog", "twinrung-contest", "twinrung-trio"], &[]),
-    ("twinrung-defects", &["twinrung-workbench"], &[]),
+    ("twinrung-defects", &["twinrung-mutants", "twinrung-workbench"], &[]),
     (
         "twinrung-hostile",
         &[

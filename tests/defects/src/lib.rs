@@ -13,16 +13,18 @@
 //! why = "the preset itself is taken as not yet reached"
 //! ```
 //!
-//! The binary `seeded_defects` applies them to a copy of the tree, builds it, and runs the fuzzer until it finds a difference.
-//! It depends on the form in which times are kept (`twinrung_workbench::evidence`) and on nothing else of this project, changes
-//! nothing outside its copy but the times, and judges no defect.
+//! The binary `seeded_defects` puts them into a copy of the tree, builds it, and runs the fuzzer until it finds a difference.
+//! It depends on the form in which times are kept (`twinrung_workbench::evidence`), on the weaving of mutants (`twinrung_mutants`)
+//! and on nothing else of this project, changes nothing outside its copy but the times, and judges no defect.
 
 #![forbid(unsafe_code)]
 
 mod list;
 mod measure;
 mod tree;
+mod woven;
 
 pub use list::{Channel, Defect, ListError, Misfit, read};
 pub use measure::{Bench, MeasureError};
 pub use tree::{Applied, ScratchTree};
+pub use woven::mutant;

@@ -1,8 +1,9 @@
-//! Puts each listed defect into a copy of the project, alone, and measures how long `twinrung fuzz` takes to find it.
+//! Puts each listed defect into a copy of the project and measures how long `twinrung fuzz` takes to find it. Those that lie in
+//! functions are all in one build, and one of them at a time is switched on; each of the others has a build of its own.
 //!
 //! `cargo run --release -p twinrung-defects`
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs;
 use std::io;
@@ -10,7 +11,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
-use twinrung_defects::{Bench, Channel, Defect, ScratchTree, read};
+use twinrung_defects::{Bench, Channel, Defect, MeasureError, ScratchTree, mutant, read};
+use twinrung_mutants::{Loom, Mutant};
 use twinrung_workbench::evidence::{Measured, Times};
 
 /// Seconds that the project without a defect is fuzzed before: a difference there would be taken for a defect found.
@@ -30,7 +32,7 @@ struct Arguments {
     /// Only those that were not measured before, or were missed
     #[arg(long)]
     missing: bool,
-    /// In which way it is looked for; each defect is built once for both
+    /// In which way it is looked for
     #[arg(long, value_enum, default_value_t = Way::Both)]
     way: Way,
     /// Seconds after which a defect counts as missed
@@ -99,25 +101,61 @@ fn run(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         .flat_map(|(_, list)| list)
         .filter(|defect| arguments.is_asked(defect, &known))
         .collect();
+    let Arguments { jobs, limit, seed, .. } = *arguments;
+    // Before hours go by.
+    runs.iter().try_for_each(|plain| times.admits(*plain, jobs, limit, seed))?;
     let folder = arguments.scratch.clone().unwrap_or_else(|| root.join("target/seeded-defects"));
     let tree = ScratchTree::copy(&root, &folder.join("tree"))?;
-    let Arguments { jobs, limit, seed, .. } = *arguments;
-    let bench = Bench { folder, jobs, limit_s: limit, seed, plain: false };
+    let bench = Bench { folder, jobs, limit_s: limit, seed, plain: false, switch: 0 };
     bench.build(&tree)?;
     bench.keep_sound()?;
+    let mut loom = Loom::new(tree.root(), mutants(&tree, &asked)?)?;
+    loom.build(&bench.words())?;
     Bench { limit_s: SOUND_S, ..bench.clone() }.run()?;
-    let (mut missed, mut broken) = (0, 0);
-    for (number, defect) in asked.iter().enumerate() {
+    let mut session = Session { times, times_path, runs, of: asked.len(), begun: 0, missed: 0, broken: 0 };
+    for (switch, mutant) in loom.viable() {
+        session.measure(&mutant.name, &Bench { switch, ..bench.clone() })?;
+    }
+    let woven: BTreeSet<String> = loom.viable().map(|(_, mutant)| mutant.name.clone()).collect();
+    drop(loom);
+    for defect in asked.iter().filter(|defect| !woven.contains(&defect.name)) {
         let applied = tree.apply(defect)?;
         let built = bench.build(&tree);
         drop(applied);
-        let place = format!("{:>3}/{} {}", number + 1, asked.len(), defect.name);
-        if let Err(error) = built {
-            println!("{place}: {error}");
-            broken += runs.len();
-            continue;
+        match built {
+            Ok(()) => session.measure(&defect.name, &bench)?,
+            Err(error) => session.cannot(&defect.name, &error),
         }
-        for plain in runs {
+    }
+    println!("{}", session.said());
+    Ok(if session.broken > 0 { 2 } else { u8::from(session.missed > 0) })
+}
+
+/// The defects as mutants of the functions that they lie in.
+fn mutants(tree: &ScratchTree, defects: &[&Defect]) -> Result<Vec<Mutant>, Box<dyn Error>> {
+    let one = |defect: &&Defect| {
+        let text = fs::read_to_string(tree.root().join(&defect.file))?;
+        mutant(defect, &text).map_err(|misfit| format!("{}: {misfit}", defect.name).into())
+    };
+    defects.iter().map(one).collect()
+}
+
+/// What was measured so far.
+struct Session {
+    times: Times,
+    times_path: PathBuf,
+    runs: &'static [bool],
+    of: usize,
+    begun: usize,
+    missed: usize,
+    broken: usize,
+}
+
+impl Session {
+    /// Measures one defect in each way, and writes the times down: a run that is ended keeps what it measured.
+    fn measure(&mut self, name: &str, bench: &Bench) -> Result<(), Box<dyn Error>> {
+        self.begun += 1;
+        for plain in self.runs {
             let measured = Bench { plain: *plain, ..bench.clone() }.run();
             let said = match &measured {
                 Ok((Measured { found: true, seconds, cases }, _)) => format!("{seconds:.1} s, {cases} programs"),
@@ -126,21 +164,30 @@ fn run(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
                 }
                 Err(error) => error.to_string(),
             };
-            println!("{place}, {}: {said}", if *plain { "plain" } else { "guided" });
+            println!("{:>3}/{} {name}, {}: {said}", self.begun, self.of, if *plain { "plain" } else { "guided" });
             match measured {
                 Ok((measured, conditions)) => {
-                    missed += usize::from(!measured.found);
-                    times.measured_under(*plain, conditions);
-                    times.of(*plain).insert(defect.name.clone(), measured);
+                    self.missed += usize::from(!measured.found);
+                    self.times.enter(*plain, name, measured, conditions)?;
                 }
-                Err(_) => broken += 1,
+                Err(_) => self.broken += 1,
             }
         }
-        // After each, so that a run that is ended keeps what it measured.
-        fs::write(&times_path, toml::to_string(&times)?)?;
+        fs::write(&self.times_path, toml::to_string(&self.times)?)?;
+        Ok(())
     }
-    println!("{} measured, {missed} not found, {broken} could not be measured", asked.len() * runs.len() - broken);
-    Ok(if broken > 0 { 2 } else { u8::from(missed > 0) })
+
+    /// A defect with which nothing can be built.
+    fn cannot(&mut self, name: &str, error: &MeasureError) {
+        self.begun += 1;
+        self.broken += self.runs.len();
+        println!("{:>3}/{} {name}: {error}", self.begun, self.of);
+    }
+
+    fn said(&self) -> String {
+        let measured = self.of * self.runs.len() - self.broken;
+        format!("{measured} measured, {} not found, {} could not be measured", self.missed, self.broken)
+    }
 }
 
 impl Arguments {

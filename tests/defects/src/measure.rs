@@ -10,6 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use serde::Deserialize;
+use twinrung_mutants::{BuildError, SWITCH};
 use twinrung_workbench::evidence::{Conditions, Measured};
 
 use crate::ScratchTree;
@@ -27,13 +28,17 @@ pub struct Bench {
     pub seed: u64,
     /// Random programs alone, without guidance.
     pub plain: bool,
+    /// Which of the defects that are woven into the build is switched on, by its number from 1; 0 for none.
+    pub switch: usize,
 }
 
 /// Why nothing could be measured.
 #[derive(Debug)]
 pub enum MeasureError {
-    /// The copy does not build: the compiler's last words.
-    Build(String),
+    /// The copy does not compile: the compiler's words.
+    Sources(String),
+    /// Cargo builds nothing.
+    Build(BuildError),
     /// The fuzzer did not end as it should: its last words.
     Fuzz(String),
     /// What was found shows in the project without the defect as well: the case.
@@ -45,7 +50,8 @@ pub enum MeasureError {
 impl fmt::Display for MeasureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            MeasureError::Build(said) => write!(f, "the tree with the defect does not build:\n{said}"),
+            MeasureError::Sources(said) => write!(f, "the tree with the defect does not build:\n{said}"),
+            MeasureError::Build(error) => error.fmt(f),
             MeasureError::Fuzz(said) => write!(f, "the fuzzer did not end as it should:\n{said}"),
             MeasureError::Sound(case) => {
                 write!(f, "what was found shows without the defect too, so nothing is known of it: {}", case.display())
@@ -96,14 +102,29 @@ impl Bench {
     ///
     /// It does not build.
     pub fn build(&self, tree: &ScratchTree) -> Result<(), MeasureError> {
-        let built = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-            .args(["build", "--quiet", "--profile", "defects", "--package", "twinrung", "--bin", "twinrung"])
-            .arg("--target-dir")
-            .arg(self.folder.join("build"))
-            .current_dir(tree.root())
-            .stdin(Stdio::null())
-            .output()?;
-        if built.status.success() { Ok(()) } else { Err(MeasureError::Build(last_lines(&built.stderr))) }
+        match twinrung_mutants::build(tree.root(), &self.words()) {
+            Ok(built) if built.words.is_empty() => Ok(()),
+            Ok(built) => Err(MeasureError::Sources(built.words.join("\n"))),
+            Err(error) => Err(MeasureError::Build(error)),
+        }
+    }
+
+    /// What cargo is told, to build the command.
+    pub fn words(&self) -> Vec<String> {
+        let folder = self.folder.join("build").display().to_string();
+        let words = [
+            "build",
+            "--quiet",
+            "--profile",
+            "defects",
+            "--package",
+            "twinrung",
+            "--bin",
+            "twinrung",
+            "--target-dir",
+            &folder,
+        ];
+        words.map(str::to_owned).to_vec()
     }
 
     /// Keeps the command that was built last as that of the project without a defect.
@@ -130,6 +151,7 @@ impl Bench {
         let mut command = Command::new(self.built());
         command.args(["fuzz", "--differences", "1", "--as-found", "--seed", &self.seed.to_string()]);
         command.args(["--jobs", &self.jobs.to_string(), "--time", &format!("{}s", self.limit_s)]);
+        command.env(SWITCH, self.switch.to_string());
         command.arg("--cases").arg(&cases).arg("--report").arg(&report);
         if self.plain {
             command.arg("--plain");

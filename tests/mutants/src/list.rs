@@ -34,7 +34,7 @@ pub struct Span {
 }
 
 /// A place in a file.
-#[derive(Debug, Clone, Copy, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 pub struct Place {
     /// From 1.
     pub line: usize,
@@ -43,6 +43,13 @@ pub struct Place {
 }
 
 impl Place {
+    /// The place of a byte of a text, at which a character begins.
+    pub fn of(text: &str, byte: usize) -> Place {
+        let before = &text[..byte];
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        Place { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1 }
+    }
+
     /// The byte of a text at which it lies.
     pub fn byte(self, text: &str) -> Option<usize> {
         let line = text.split_inclusive('\n').nth(self.line.checked_sub(1)?)?;

@@ -1,37 +1,33 @@
-//! Mutants of a crate, all of them in one build.
+//! Runs the tests of a crate with each mutant of a list.
 //!
 //! `cargo mutants` builds the tests once for each mutant, which for a large crate takes nearly all of the time. This takes
-//! the list that `cargo mutants --list --json` writes, weaves a changed copy of the function for each mutant into the
-//! sources, builds once, and runs the tests with one mutant switched on at a time. What is built while none is switched on
-//! (the ladder half of the safety library is, by the compiler) is not changed by a mutant.
+//! the list that `cargo mutants --list --json` writes, weaves all of them into one build, and runs the tests with one switched on
+//! at a time.
 //!
 //! ```text
 //! git clone . ../woven && cd ../woven
 //! cargo mutants --list --json -p twinrung-compiler --shard 0/14 --sharding round-robin > list.json
-//! cargo run -p twinrung-mutants -- --list list.json --package compiler -- -p twinrung-compiler
+//! cargo run -p twinrung-mutants -- --list list.json -- -p twinrung-compiler
 //! ```
 //!
-//! It changes the sources of the folder that it runs in and puts them back at the end: run it in a clone. It may depend on
-//! nothing of this project, and no release may use it.
+//! It changes the sources of the folder that it runs in and puts them back at the end. It begins in a clone without changes alone, so
+//! that `git checkout .` puts back what an interruption left woven. It may depend on nothing of this project, and no release may
+//! use it.
 
 #![forbid(unsafe_code)]
 
-mod build;
-mod list;
 mod run;
-mod weave;
 
-use std::collections::btree_map::Entry;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 use std::time::Duration;
 
 use clap::Parser;
+use twinrung_mutants::{Loom, Mutant};
 
-use list::Mutant;
 use run::Verdict;
 
 /// Weaves the mutants of a list into a crate, builds it once, and runs its tests with each of them.
@@ -40,9 +36,6 @@ struct Arguments {
     /// What `cargo mutants --list --json` wrote.
     #[arg(long)]
     list: PathBuf,
-    /// The folder of the crate that is changed, from the root of the workspace.
-    #[arg(long)]
-    package: PathBuf,
     /// Only the mutants whose names stand in this file, one in each line.
     #[arg(long)]
     only: Option<PathBuf>,
@@ -57,19 +50,6 @@ struct Arguments {
     tests: Vec<String>,
 }
 
-/// The sources as they were, put back in the end.
-struct Originals(BTreeMap<PathBuf, String>);
-
-impl Drop for Originals {
-    fn drop(&mut self) {
-        for (path, text) in &self.0 {
-            if let Err(error) = fs::write(path, text) {
-                eprintln!("{} is still woven: {error}", path.display());
-            }
-        }
-    }
-}
-
 fn main() -> ExitCode {
     match measure(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
@@ -81,6 +61,7 @@ fn main() -> ExitCode {
 }
 
 fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    clean(Path::new("."))?;
     let mut mutants: Vec<Mutant> = serde_json::from_str(&fs::read_to_string(&arguments.list)?)?;
     if let Some(path) = &arguments.only {
         let names = fs::read_to_string(path)?;
@@ -88,94 +69,81 @@ fn measure(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         mutants.retain(|mutant| names.contains(mutant.name.as_str()));
     }
     let listed = mutants.len();
-    let root_file = arguments.package.join("src/lib.rs");
-    let mut originals = Originals(BTreeMap::new());
-    for path in mutants.iter().map(|mutant| PathBuf::from(&mutant.file)).chain([root_file.clone()]) {
-        if let Entry::Vacant(entry) = originals.0.entry(path) {
-            let text = fs::read_to_string(entry.key())?;
-            entry.insert(text);
-        }
+    let mut loom = Loom::new(Path::new("."), mutants)?;
+    let words: Vec<String> =
+        ["test", "--no-run"].into_iter().map(str::to_owned).chain(arguments.tests.clone()).collect();
+    let tests = loom.build(&words)?.tests;
+    if tests.is_empty() {
+        // Every mutant would be missed.
+        return Err(
+            "no program of tests was built: name packages that have tests behind --, as `-- -p twinrung-compiler`"
+                .into(),
+        );
     }
-    let mut unwoven = Vec::new();
-    mutants.retain(|mutant| match weave::weavable(&originals.0[Path::new(&mutant.file)], mutant) {
-        Ok(()) => true,
-        Err(why) => {
-            unwoven.push(format!("{} ({why:?})", mutant.name));
-            false
-        }
-    });
-    let mut unviable: BTreeSet<usize> = BTreeSet::new();
-    let tests = loop {
-        let places = write_woven(&originals, &root_file, &mutants, &unviable)?;
-        let built = build::build(Path::new("."), &arguments.tests)?;
-        if built.words.is_empty() {
-            break built.tests;
-        }
-        let before = unviable.len();
-        for (file, line) in &built.errors {
-            let holds = |(range, _): &&(std::ops::Range<usize>, usize)| range.contains(line);
-            unviable.extend(places.get(file).into_iter().flatten().filter(holds).map(|(_, number)| *number));
-        }
-        println!("{} mutants do not compile", unviable.len());
-        if unviable.len() == before {
-            return Err(format!("errors outside of the mutants:\n{}", built.words.join("\n")).into());
-        }
-    };
     let limit = Duration::from_secs(arguments.timeout);
     if run::run(&tests, 0, limit)? != Verdict::Missed {
         return Err("the tests fail without a mutant".into());
     }
-    let viable: Vec<(usize, &Mutant)> = mutants
-        .iter()
-        .enumerate()
-        .map(|(at, mutant)| (at + 1, mutant))
-        .filter(|(number, _)| !unviable.contains(number))
-        .collect();
+    let viable = loom.viable().count();
     let (mut caught, mut timeout, mut missed) = (0, 0, Vec::new());
-    for (done, (number, mutant)) in viable.iter().enumerate() {
-        let verdict = run::run(&tests, *number, limit)?;
+    for (done, (number, mutant)) in loom.viable().enumerate() {
+        let verdict = run::run(&tests, number, limit)?;
         match verdict {
             Verdict::Caught => caught += 1,
             Verdict::Timeout => timeout += 1,
             Verdict::Missed => missed.push(mutant.name.clone()),
         }
-        println!("{}/{} {verdict:?} {}", done + 1, viable.len(), mutant.name);
+        println!("{}/{viable} {verdict:?} {}", done + 1, mutant.name);
     }
     fs::write(&arguments.missed, missed.iter().map(|name| format!("{name}\n")).collect::<String>())?;
     println!(
         "listed {listed}, not woven {}, unviable {}, caught {caught}, timeout {timeout}, missed {}",
-        unwoven.len(),
-        unviable.len(),
+        loom.unwoven().len(),
+        loom.unviable().count(),
         missed.len()
     );
-    unwoven.iter().for_each(|name| println!("not woven: {name}"));
-    unviable.iter().for_each(|number| println!("unviable: {}", mutants[number - 1].name));
+    loom.unwoven().iter().for_each(|(mutant, why)| println!("not woven: {} ({why:?})", mutant.name));
+    loom.unviable().for_each(|mutant| println!("unviable: {}", mutant.name));
     Ok(())
 }
 
-/// Lines of each file that belong to a mutant.
-type Places = BTreeMap<String, Vec<(std::ops::Range<usize>, usize)>>;
-
-fn write_woven(
-    originals: &Originals,
-    root_file: &Path,
-    mutants: &[Mutant],
-    unviable: &BTreeSet<usize>,
-) -> Result<Places, Box<dyn Error>> {
-    let mut places = Places::new();
-    for (path, text) in &originals.0 {
-        let in_file = |(_, mutant): &(usize, &Mutant)| Path::new(&mutant.file) == path;
-        let numbered = mutants.iter().enumerate().map(|(at, mutant)| (at + 1, mutant));
-        let own: Vec<(usize, &Mutant)> =
-            numbered.filter(in_file).filter(|(number, _)| !unviable.contains(number)).collect();
-        let mut woven = weave::weave(text, &own);
-        if path == root_file {
-            woven.text.push_str(weave::SWITCHING);
-        }
-        if fs::read_to_string(path)? != woven.text {
-            fs::write(path, &woven.text)?;
-        }
-        places.insert(path.display().to_string(), woven.lines);
+/// Refuses a folder whose sources are not those of its commit: what is woven into them could not be told from what is not.
+fn clean(root: &Path) -> Result<(), Box<dyn Error>> {
+    let status =
+        Command::new("git").args(["status", "--porcelain", "--untracked-files=no"]).current_dir(root).output()?;
+    if !status.status.success() {
+        return Err("this is no clone of a repository, and what an interruption leaves woven could not be put back: run this in one".into());
     }
-    Ok(places)
+    match String::from_utf8_lossy(&status.stdout).lines().next() {
+        None => Ok(()),
+        Some(first) => Err(format!(
+            "there are changes that are not committed ({first}): commit them, or, where an interrupted run left its mutants, `git checkout .`"
+        )
+        .into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folder_when_it_has_changes_or_is_no_clone_then_nothing_is_woven_into_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        let git = |arguments: &[&str]| {
+            let named = ["-c", "user.name=a", "-c", "user.email=a@b"];
+            let ended = Command::new("git").args(named).args(arguments).current_dir(root).output().unwrap();
+            assert!(ended.status.success(), "{ended:?}");
+        };
+        assert!(clean(root).unwrap_err().to_string().contains("no clone of a repository"));
+        git(&["init", "--quiet"]);
+        fs::write(root.join("a.rs"), "one").unwrap();
+        git(&["add", "a.rs"]);
+        git(&["commit", "--quiet", "--message", "a"]);
+        fs::write(root.join("list.json"), "[]").unwrap();
+        assert!(clean(root).is_ok());
+        fs::write(root.join("a.rs"), "woven").unwrap();
+        assert!(clean(root).unwrap_err().to_string().contains("a.rs"));
+    }
 }

@@ -5,8 +5,7 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use crate::build::Tests;
-use crate::weave::SWITCH;
+use twinrung_mutants::{SWITCH, Tests};
 
 /// What the tests say of a mutant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
