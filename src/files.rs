@@ -27,6 +27,16 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     sync_folder_of(path)
 }
 
+/// Makes the folder that a file will be written into: what takes hours is not to find at its end that it has no place.
+pub fn make_folder_of(path: &Path) -> io::Result<()> {
+    match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        None => Ok(()),
+        Some(folder) => {
+            fs::create_dir_all(folder).map_err(|error| io::Error::other(format!("{}: {error}", folder.display())))
+        }
+    }
+}
+
 /// Makes the name of a file or folder durable. Systems whose folders cannot be opened do so by themselves.
 #[cfg(unix)]
 pub fn sync_folder_of(path: &Path) -> io::Result<()> {

@@ -40,6 +40,21 @@ pub struct Complete {
     pub outputs: Vec<String>,
 }
 
+impl Complete {
+    /// These arguments as they are typed.
+    #[cfg(feature = "injection")]
+    pub fn words(&self) -> Vec<String> {
+        let Complete { controller, period, watchdog, context, outputs } = self;
+        let quoted = |text: &str| crate::stopwatch::quoted(text.as_ref());
+        let controller = controller.iter().map(|name| format!("--controller {}", quoted(name)));
+        let period = period.iter().map(|ms| format!("--period {ms}"));
+        let watchdog = watchdog.iter().map(|ms| format!("--watchdog {ms}"));
+        let context = context.iter().map(|path| format!("--context {}", crate::stopwatch::quoted(path.as_os_str())));
+        let outputs = (!outputs.is_empty()).then(|| format!("--outputs {}", quoted(&outputs.join(","))));
+        controller.chain(period).chain(watchdog).chain(context).chain(outputs).collect()
+    }
+}
+
 /// What a program must be to be executed.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Required {

@@ -1,5 +1,6 @@
 //! What is measured, on what, and how long that takes.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::time::{Duration, Instant};
 
@@ -42,14 +43,16 @@ impl Stopwatch {
 
 /// The command as it was given, so that it can be given again.
 fn command() -> String {
-    let quoted = |word: std::ffi::OsString| {
-        let word = word.to_string_lossy().into_owned();
-        let is_plain = |one: char| one.is_ascii_alphanumeric() || "-_./,:=@%+".contains(one);
-        if word.chars().all(is_plain) && !word.is_empty() { word } else { format!("'{}'", word.replace('\'', "'\\''")) }
-    };
     let words: Vec<String> =
-        std::iter::once("twinrung".to_owned()).chain(std::env::args_os().skip(1).map(quoted)).collect();
+        std::iter::once("twinrung".to_owned()).chain(std::env::args_os().skip(1).map(|word| quoted(&word))).collect();
     words.join(" ")
+}
+
+/// A word as a shell takes it for one.
+pub fn quoted(word: &OsStr) -> String {
+    let word = word.to_string_lossy().into_owned();
+    let is_plain = |one: char| one.is_ascii_alphanumeric() || "-_./,:=@%+".contains(one);
+    if word.chars().all(is_plain) && !word.is_empty() { word } else { format!("'{}'", word.replace('\'', "'\\''")) }
 }
 
 /// Where the system says it in a file.

@@ -159,7 +159,8 @@ fn campaign(arguments: &Fuzz) -> io::Result<ExitCode> {
         guided: !arguments.plain,
         earlier: arguments.corpus.as_deref().map_or(Ok(Vec::new()), genomes)?,
     };
-    // Before hours go by: a file that cannot be added to is said now.
+    // Before hours go by: a file that cannot be added to, or has no place, is said now.
+    arguments.report.as_deref().map_or(Ok(()), files::make_folder_of)?;
     let earlier = arguments.report.as_deref().map_or(Ok(None), reported)?;
     let begun = Instant::now();
     let stopwatch = Stopwatch::start();

@@ -20,7 +20,7 @@ use twinrung_workbench::inject::{
 
 use crate::format::{Format, write_json};
 use crate::input::{self, Complete};
-use crate::stopwatch::Stopwatch;
+use crate::stopwatch::{Stopwatch, quoted};
 use crate::terminal::{self, tell};
 use crate::{exit, failed, files};
 
@@ -152,6 +152,8 @@ pub fn run(arguments: &Inject) -> io::Result<ExitCode> {
     if campaign.is_empty() {
         return Err(io::Error::other("there is nothing to inject: --list shows the classes of faults"));
     }
+    // Before hours go by.
+    arguments.html.iter().chain(&arguments.report).try_for_each(|path| files::make_folder_of(path))?;
     let stopwatch = Stopwatch::start();
     let report = with_bar(&campaign);
     let provenance = stopwatch.provenance(jobs);
@@ -202,9 +204,10 @@ impl Inject {
 
     /// The command that injects one fault again, without the fault.
     fn again(&self, file: &Path) -> String {
-        let mut words = vec![format!("twinrung inject {}", file.display())];
-        words.extend(self.stimulus.iter().map(|path| format!("--stimulus {}", path.display())));
+        let mut words = vec!["twinrung inject".to_owned(), quoted(file.as_os_str())];
+        words.extend(self.stimulus.iter().map(|path| format!("--stimulus {}", quoted(path.as_os_str()))));
         words.extend(self.scans.iter().map(|scans| format!("--scans {scans}")));
+        words.extend(self.complete.words());
         words.push(format!("--seed {} --follow {} --replay", self.seed, self.follow));
         words.join(" ")
     }

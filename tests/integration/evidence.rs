@@ -83,8 +83,17 @@ fn injection_when_asked_for_a_report_and_a_page_then_both_are_written_and_eviden
 #[test]
 fn times_when_the_runner_writes_them_then_the_evidence_reads_them() {
     let mut times = Times::default();
-    times.of(false).insert("late".to_owned(), Measured { found: true, seconds: 2.5, cases: 9 });
-    times.measured_under(false, Conditions { jobs: 2, limit_s: 300, seed: 1, ..Conditions::default() });
+    let taken = Measured { found: true, seconds: 2.5, cases: 9 };
+    let conditions = Conditions {
+        jobs: 2,
+        limit_s: 300,
+        seed: 1,
+        version: "0.1.0".to_owned(),
+        rustc: "rustc 1.95.0".to_owned(),
+        processor: "A fast one".to_owned(),
+        cores: 8,
+    };
+    times.enter(false, "late", taken, conditions.clone()).unwrap();
     let file = |name: &str, text: String| File { name: name.to_owned(), bytes: text.into_bytes() };
     let sources = Sources {
         times: Some(file("tests/defects/times.toml", toml::to_string(&times).unwrap())),
@@ -92,5 +101,35 @@ fn times_when_the_runner_writes_them_then_the_evidence_reads_them() {
         ..Sources::default()
     };
     let defects = Evidence::read(&sources).unwrap().defects;
-    assert_eq!((defects.guided.found, defects.guided.median, defects.conditions["guided"].jobs), (1, Some(2.5), 2));
+    assert_eq!((defects.guided.found, defects.guided.median, defects.defects[0].guided), (1, Some(2.5), Some(taken)));
+    assert_eq!(defects.conditions["guided"], conditions);
+    let text = toml::to_string(&times).unwrap();
+    for field in ["jobs", "limit_s", "seed", "version", "rustc", "processor", "cores"] {
+        let renamed = text.replace(&format!("\n{field} ="), &format!("\n{field}_of_another_release ="));
+        assert_ne!(renamed, text);
+        assert!(toml::from_str::<Times>(&renamed).is_err(), "{renamed}");
+    }
+}
+
+/// REQ-EVIDENCE-004. One list of times has one set of conditions: a short look at one defect does not change what the others were
+/// measured under.
+#[test]
+fn times_when_one_is_measured_under_other_conditions_than_the_rest_then_it_is_refused_and_nothing_changes() {
+    let conditions = |limit_s| Conditions { jobs: 2, limit_s, seed: 1, ..Conditions::default() };
+    let taken = Measured { found: true, seconds: 2.5, cases: 9 };
+    let mut times = Times::default();
+    times.enter(false, "late", taken, conditions(300)).unwrap();
+    times.enter(false, "stuck", taken, conditions(300)).unwrap();
+    let before = times.clone();
+    assert!(times.admits(false, 2, 300, 1).is_ok() && times.admits(true, 2, 10, 1).is_ok());
+    let refused = [times.admits(false, 2, 10, 1), times.enter(false, "late", taken, conditions(10))];
+    for error in refused.map(Result::unwrap_err) {
+        assert_eq!((error.way, error.recorded.limit_s), ("guided", 300));
+        assert!(
+            error.to_string().contains("--limit 300") && error.to_string().contains("move the file away"),
+            "{error}"
+        );
+    }
+    assert_eq!(times, before);
+    times.enter(true, "late", taken, conditions(10)).unwrap();
 }

@@ -35,7 +35,7 @@ fn plan(programs: u64) -> Plan {
 /// REQ-FUZZ-004
 #[test]
 fn campaign_when_bounded_and_seeded_then_nothing_is_missing_that_is_not_argued_to_be_out_of_reach() {
-    let campaign = plan(16_000).run::<Both>(|_| ());
+    let campaign = plan(12_000).run::<Both>(|_| ());
     let coverage = &campaign.total.executions.coverage;
     let shown = |points: Vec<Point>| points.iter().map(ToString::to_string).collect::<Vec<String>>();
     assert_eq!(shown(coverage.missing()), Vec::<String>::new(), "not reached");

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use twinrung_workbench::evidence::{Evidence, EvidenceError, FLOORS, File, Sources, State, page};
-use twinrung_workbench::fuzz::{Coverage, Report};
+use twinrung_workbench::fuzz::{Coverage, DifferenceFound, Report};
 use twinrung_workbench::provenance::Provenance;
 
 fn path(name: &str) -> PathBuf {
@@ -23,19 +23,24 @@ fn read(place: &str, name: &str) -> File {
 /// A report of a campaign that knew the points that this release knows.
 fn campaign(place: &str, name: &str) -> File {
     let report: Report = serde_json::from_slice(&fs::read(path(name)).unwrap()).unwrap();
-    let report = Report { points_reachable: Coverage::reachable(), ..report };
+    let table = Some(Report::table_here().to_owned());
+    let report = Report { table, points_reachable: Coverage::reachable(), ..report };
     file(place, serde_json::to_vec(&report).unwrap())
 }
 
+/// The report of a run into the same sample whose places were drawn from another seed.
+fn again(place: &str) -> File {
+    let text = fs::read_to_string(path("inject.json")).unwrap();
+    file(place, text.replace("\"seed\": 7,", "\"seed\": 8,").into())
+}
+
 fn sources() -> Sources {
-    let account = "[[difference]]\nwhat = \"Motor\"\nfound_by = \"twinrung fuzz\"\nwrong = \"partner\"\nmended = \"motor.table\"\n\
-                   report = \"evidence/fuzz/a.json\"\nprogram = 398\n";
+    let account = "[[difference]]\nwhat = \"Motor\"\nfound_by = \"twinrung fuzz\"\nwrong = \"partner\"\nmended = \"counted\"\n\
+                   kept_by = [\"motor.table: one\"]\nreport = \"evidence/fuzz/a.json\"\nseed = 1\nprogram = 398\n\
+                   text = \"the channels differ in Motor\"\n";
     Sources {
         fuzz: vec![campaign("evidence/fuzz/a.json", "fuzz.json"), campaign("evidence/fuzz/b.json", "fuzz-form-1.json")],
-        inject: vec![
-            read("evidence/inject/press.json", "inject.json"),
-            read("evidence/inject/again.json", "inject.json"),
-        ],
+        inject: vec![read("evidence/inject/press.json", "inject.json"), again("evidence/inject/again.json")],
         differences: Some(file("evidence/differences.toml", account.into())),
         defects: vec![read("tests/defects/primary.toml", "primary.toml")],
         times: Some(read("tests/defects/times.toml", "times.toml")),
@@ -136,6 +141,29 @@ fn campaign_when_it_knew_another_table_then_the_points_that_one_alone_knows_are_
     assert_eq!(found(&Evidence::read(&sources).unwrap(), "campaign.missing"), (Some(missing), State::Below));
 }
 
+/// REQ-EVIDENCE-003. As many points are not the same points.
+#[test]
+fn campaign_when_it_knew_as_many_other_points_then_all_of_this_release_are_missing() {
+    let report: Report = serde_json::from_slice(&fs::read(path("fuzz.json")).unwrap()).unwrap();
+    let of = |table: Option<&str>| {
+        let table = table.map(str::to_owned);
+        let report =
+            Report { table, points_reachable: Coverage::reachable(), points_missing: Vec::new(), ..report.clone() };
+        let fuzz = vec![file("a", serde_json::to_vec(&report).unwrap())];
+        let evidence = Evidence::read(&Sources { fuzz, ..sources() }).unwrap();
+        let written = page(&evidence, &Provenance::default());
+        (
+            found(&evidence, "campaign.missing"),
+            written.contains("points of another table"),
+            written.contains("was not recorded in all"),
+        )
+    };
+    let all = Coverage::reachable() as f64;
+    assert_eq!(of(Some("00")), ((Some(all), State::Below), true, false));
+    assert_eq!(of(Some(Report::table_here())), ((Some(0.0), State::Met), false, false));
+    assert_eq!(of(None), ((Some(0.0), State::Met), false, true));
+}
+
 /// REQ-EVIDENCE-003
 #[test]
 fn difference_when_a_report_names_it_and_nobody_has_accounted_for_it_then_it_is_open() {
@@ -143,6 +171,40 @@ fn difference_when_a_report_names_it_and_nobody_has_accounted_for_it_then_it_is_
     let open = Evidence::read(&Sources { differences: None, ..sources() }).unwrap();
     assert_eq!(found(&open, "campaign.open"), (Some(1.0), State::Below));
     assert!(page(&open, &Provenance::default()).contains("1 differences are OPEN"));
+}
+
+/// REQ-EVIDENCE-003. Campaigns add up in one file, and each counts its programs from its seed; a program may differ in more than one way.
+#[test]
+fn differences_when_they_have_a_file_and_a_program_in_common_then_an_entry_accounts_for_its_own_alone() {
+    let report: Report = serde_json::from_slice(&fs::read(path("fuzz.json")).unwrap()).unwrap();
+    let differing = |seed: u64, text: &str| {
+        let one = report.differences[0].clone();
+        DifferenceFound { seed: Some(seed), difference: text.to_owned(), ..one }
+    };
+    let motor = "the channels differ in Motor";
+    let differences = vec![
+        differing(1, motor),
+        differing(2, motor),
+        differing(1, "the channels differ in Pump"),
+        differing(1, motor),
+    ];
+    let report = Report { seeds: vec![1, 2, 1], differences, ..report };
+    let fuzz = vec![file("evidence/fuzz/a.json", serde_json::to_vec(&report).unwrap())];
+    let evidence = Evidence::read(&Sources { fuzz, ..sources() }).unwrap();
+    assert_eq!(found(&evidence, "campaign.open"), (Some(3.0), State::Below));
+    let open: Vec<_> =
+        evidence.differences.iter().filter(|one| one.is_open()).map(|one| (one.seed, one.what.as_str())).collect();
+    assert_eq!(open, [(Some(2), motor), (Some(1), "the channels differ in Pump"), (Some(1), motor)]);
+}
+
+/// REQ-EVIDENCE-003
+#[test]
+fn difference_when_no_test_is_named_that_keeps_it_mended_then_it_is_open() {
+    let account = sources().differences.unwrap();
+    let account = String::from_utf8(account.bytes).unwrap().replace("kept_by = [\"motor.table: one\"]\n", "");
+    let differences = Some(file("evidence/differences.toml", account.into()));
+    let evidence = Evidence::read(&Sources { differences, ..sources() }).unwrap();
+    assert_eq!(found(&evidence, "campaign.open"), (Some(1.0), State::Below));
 }
 
 /// REQ-EVIDENCE-004
@@ -188,6 +250,11 @@ fn mutants_when_a_survivor_has_no_reason_or_a_crate_no_result_then_that_is_below
     assert_eq!(found(&evidence, "mutants.partner"), (None, State::NotMeasured));
     assert_eq!(found(&evidence, "mutants.sample"), (Some(3.0), State::Below));
     assert_eq!(found(&evidence, "mutants.survivors"), (Some(1.0), State::Below));
+    let page = page(&evidence, &Provenance::default());
+    assert!(
+        page.contains("<li class=\"not\">Small changes of the source that the tests notice: "),
+        "the floors are not met"
+    );
 }
 
 /// REQ-EVIDENCE-007
@@ -209,17 +276,53 @@ fn report_when_it_is_none_or_of_another_form_then_it_is_refused_by_name_with_the
     let older = text("inject.json").replace("\"schema\": 2,", "");
     let wrong_sum = text("controller.toml").replace("tried = 200", "tried = 300");
     let unknown = text("times.toml").replace("guided.late-timer", "guided.no-such-defect");
+    let changed = |changes: &[(&str, &str)]| {
+        let text = changes.iter().fold(text("controller.toml"), |text, (from, to)| text.replace(from, to));
+        Sources { mutants: with(&text, "a"), ..sources() }
+    };
+    let none = [("of = 400", "of = 0"), ("tried = 200", "tried = 0"), ("caught = 150", "caught = 0")];
+    let none = [&none[..], &[("timeout = 10", "timeout = 0"), ("unviable = 30", "unviable = 0")]].concat();
+    let none = [&none[..], &[("missed_first = 10", "missed_first = 0"), ("missed = 2", "missed = 0")]].concat();
+    let name = |bytes: &[u8], name: &str| file(name, bytes.to_vec());
+    let campaigns = sources().fuzz;
+    let injections = sources().inject;
+    let twice = "take one of them away";
     let cases = [
         (Sources { fuzz: with("{}", "a"), ..sources() }, "no report of `twinrung fuzz --report`"),
-        (Sources { fuzz: with(&later, "a"), ..sources() }, "a report of form 99, and this release knows 2"),
+        (Sources { fuzz: with(&later, "a"), ..sources() }, "a report of form 99, and this release knows 3"),
+        (Sources { fuzz: vec![campaigns[0].clone(), name(&campaigns[0].bytes, "a")], ..sources() }, twice),
+        (Sources { fuzz: vec![campaigns[1].clone(), name(&campaigns[1].bytes, "a")], ..sources() }, twice),
+        (Sources { inject: vec![injections[0].clone(), name(&injections[0].bytes, "a")], ..sources() }, twice),
         (Sources { inject: with(&older, "a"), ..sources() }, "missing field `schema`"),
         (Sources { mutants: with("[run]\ncrate = 1", "a"), ..sources() }, "crate"),
         (Sources { mutants: with(&wrong_sum, "a"), ..sources() }, "are not the 300 that were tried"),
+        (Sources { mutants: with(&wrong_sum, "a"), ..sources() }, "they make tried"),
+        (changed(&[("of = 400", "of = 199")]), "200 were tried of 199: `of` counts all mutants"),
+        (changed(&none), "no mutant compiled, and none is no result: try more, or take the file away"),
+        (
+            changed(&[
+                ("caught = 150", "caught = 151"),
+                ("missed = 2", "missed = 1"),
+                ("missed_first = 10", "missed_first = 9"),
+            ]),
+            "2 survivors are named and 1 were missed: take out",
+        ),
+        (
+            changed(&[
+                ("caught = 150", "caught = 9223372036854775807"),
+                ("timeout = 10", "timeout = 9223372036854775807"),
+            ]),
+            "are not the 200 that were tried",
+        ),
         (
             Sources { times: Some(file("a", unknown.into())), ..sources() },
-            "`no-such-defect` is measured and stands in no list",
+            "`no-such-defect` is measured and stands in no list of defects: enter it in one, or take its times out",
         ),
-        (Sources { differences: Some(file("a", vec![0xFF])), ..sources() }, "utf-8"),
+        (Sources { differences: Some(file("a", vec![0xFF])), ..sources() }, "; save it as UTF-8"),
+        (
+            Sources { differences: Some(file("a", "[".into())), ..sources() },
+            "put the line right, or take the file away",
+        ),
     ];
     for (sources, said) in cases {
         let error = refused(&sources);
@@ -233,4 +336,91 @@ fn page_when_an_older_report_recorded_no_processor_time_then_it_says_not_recorde
     let page = page(&evidence(), &Provenance::default());
     assert!(page.contains("2 h 30 min in 1 of 2 campaigns, not recorded in the others"));
     assert!(page.contains("1 campaigns were run by a release that recorded neither its build nor the machine."));
+}
+
+/// REQ-EVIDENCE-005. A report of residual faults alone, or of none, says nothing of a sample.
+#[test]
+fn sample_when_only_residual_faults_or_none_were_injected_then_nothing_was_injected_into_it() {
+    let samples = |changes: [(&str, &str); 2]| {
+        let text = fs::read_to_string(path("inject.json")).unwrap();
+        let text = changes.iter().fold(text, |text, (from, to)| text.replace(from, to));
+        let sources = Sources { inject: vec![file("a", text.into())], ..sources() };
+        found(&Evidence::read(&sources).unwrap(), "injection.samples").0
+    };
+    let nothing = ("\"injected\": 1000", "\"injected\": 0");
+    assert_eq!(samples([("", ""), ("", "")]), Some(1.0));
+    assert_eq!(samples([nothing, ("", "")]), Some(2.0));
+    assert_eq!(samples([nothing, ("\"group\": \"channel\"", "\"group\": \"residual\"")]), Some(2.0));
+}
+
+/// REQ-EVIDENCE-005
+#[test]
+fn fault_when_it_let_a_wrong_output_out_then_its_group_is_below_and_the_command_stands_on_the_page() {
+    for (group, id) in [("channel", "injection.channel"), ("shared", "injection.shared")] {
+        let text = fs::read_to_string(path("inject.json")).unwrap();
+        let text = text.replace("\"group\": \"channel\"", &format!("\"group\": \"{group}\""));
+        let text = text
+            .replace("\"let_out\": 0", "\"let_out\": 1")
+            .replace("\"misses\": []", "\"misses\": [\"5:primary.cells.flip:9\"]");
+        let sources = Sources { inject: vec![file("a", text.into())], ..sources() };
+        let evidence = Evidence::read(&sources).unwrap();
+        assert_eq!(found(&evidence, id), (Some(1.0), State::Below));
+        let page = page(&evidence, &Provenance::default());
+        let command = "twinrung inject samples/press --seed 7 --follow 50 --replay 5:primary.cells.flip:9";
+        assert!(page.contains(&format!("Group {group}: the controller has to find these.")) && page.contains(command));
+    }
+}
+
+/// REQ-EVIDENCE-006
+#[test]
+fn sample_of_mutants_when_120_compile_then_it_is_enough_and_119_are_not() {
+    let sample = |caught: u64| {
+        let text = format!(
+            "[run]\ncrate = \"vm/controller\"\nof = 400\ntried = {}\ncaught = {caught}\nunviable = 5\nmissed_first = 0\nmissed = 0\n",
+            caught + 5
+        );
+        let mutants = vec![file("a", text.into())];
+        found(&Evidence::read(&Sources { mutants, ..sources() }).unwrap(), "mutants.sample").0
+    };
+    assert_eq!((sample(119), sample(120)), (Some(4.0), Some(3.0)));
+}
+
+/// REQ-EVIDENCE-007
+#[test]
+fn review_when_it_leaves_a_part_out_then_the_page_says_so() {
+    let page = page(&evidence(), &Provenance::default());
+    assert_eq!(page.matches("<td class=\"not\">NOTHING IS SAID").count(), 3, "of the weather, in each column");
+}
+
+/// REQ-EVIDENCE-001
+#[test]
+fn measurement_when_another_build_made_it_or_its_commit_is_not_known_then_the_page_says_so() {
+    let warned = |made: Option<&str>, here: Option<&str>| {
+        let commit = |commit: Option<&str>| commit.map(str::to_owned);
+        let mut evidence = evidence();
+        for made_by in evidence.origins.iter_mut().flat_map(|origin| &mut origin.measurements) {
+            *made_by = Provenance { version: "0.1.0".to_owned(), commit: commit(made), ..Provenance::default() };
+        }
+        let here = Provenance { version: "0.1.0".to_owned(), commit: commit(here), ..Provenance::default() };
+        page(&evidence, &here).contains("Measured by builds that are not, or are not known to be")
+    };
+    assert_eq!(
+        [warned(Some("aa"), Some("aa")), warned(Some("aa"), Some("bb")), warned(None, None)],
+        [false, true, true]
+    );
+}
+
+/// REQ-EVIDENCE-003. A file that the page sends a reader to is there.
+#[test]
+fn page_when_it_names_a_source_file_then_that_is_there() {
+    let page = page(&evidence(), &Provenance::default());
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..");
+    let named: Vec<&str> = page
+        .split([' ', ',', ';', '<', '>', '"'])
+        .map(|word| word.trim_end_matches('.'))
+        .filter(|word| word.ends_with(".rs"))
+        .collect();
+    assert!(named.len() >= 2, "{named:?}");
+    let missing: Vec<&&str> = named.iter().filter(|name| !root.join(name).is_file()).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }

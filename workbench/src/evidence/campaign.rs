@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 use twinrung_catalog::Opcode;
 
-use crate::fuzz::{Coverage, Point, Report, SCHEMA, Universe, What, unreachable};
+use crate::fuzz::{Coverage, DifferenceFound, Point, Report, SCHEMA, Universe, What, unreachable};
 
+use super::difference::Reported;
 use super::{EvidenceError, Origin, Sources};
 
 /// So many of so many.
@@ -43,9 +44,9 @@ pub struct InstructionCoverage {
 pub struct CampaignEvidence {
     /// The reports, added up.
     pub total: Report,
-    /// Each file with the differences that it reports: program and text.
+    /// The differences that the reports name.
     #[serde(skip)]
-    pub reported: Vec<(String, u64, String)>,
+    pub reported: Vec<Reported>,
     /// Processor time, as far as it was recorded.
     pub processor_seconds: f64,
     /// Campaigns whose processor time was recorded, of all.
@@ -65,6 +66,7 @@ impl CampaignEvidence {
     ) -> Result<Option<CampaignEvidence>, EvidenceError> {
         let mut total: Option<Report> = None;
         let mut reported = Vec::new();
+        let mut read: Vec<(&str, Report)> = Vec::with_capacity(sources.fuzz.len());
         for file in &sources.fuzz {
             let report: Report = serde_json::from_slice(&file.bytes)
                 .map_err(|error| file.wrong(format_args!("no report of `twinrung fuzz --report`: {error}")))?;
@@ -74,18 +76,27 @@ impl CampaignEvidence {
                     report.schema
                 )));
             }
+            if let Some((other, _)) = read.iter().find(|(_, other)| is_again(&report, other)) {
+                return Err(file.wrong(format_args!(
+                    "holds a campaign that {other} holds as well, and it would count twice: take one of them away"
+                )));
+            }
             origins.push(file.origin(report.runs.iter().map(|run| run.provenance.clone()).collect()));
-            let found = report.differences.iter();
-            reported.extend(found.map(|one| (file.name.clone(), one.program, one.difference.clone())));
+            reported.extend(report.differences.iter().map(|found| Reported {
+                file: file.name.clone(),
+                // A report of one campaign that recorded no seed of a difference has only one that it can be of.
+                found: DifferenceFound { seed: found.seed.or_else(|| only(&report.seeds)), ..found.clone() },
+            }));
             match &mut total {
                 Some(total) => total.add(&report),
-                None => total = Some(report),
+                None => total = Some(report.clone()),
             }
+            read.push((&file.name, report));
         }
         Ok(total.map(|total| CampaignEvidence::of(total, reported)))
     }
 
-    fn of(total: Report, reported: Vec<(String, u64, String)>) -> CampaignEvidence {
+    fn of(total: Report, reported: Vec<Reported>) -> CampaignEvidence {
         let recorded: Vec<f64> = total.runs.iter().filter_map(|run| run.provenance.processor_seconds).collect();
         let mut unreachable_points: BTreeMap<&'static str, usize> = BTreeMap::new();
         for reason in Universe::get().points().iter().filter_map(unreachable) {
@@ -102,22 +113,36 @@ impl CampaignEvidence {
         }
     }
 
-    /// Whether the table of what there is to reach is that of this release.
-    pub fn is_of_this_table(&self) -> bool {
-        self.total.points_reachable == self.points_reachable_here
-    }
-
-    /// Points that were not reached. Those that only one of two tables knows count as not reached: nobody can tell.
-    fn missing(&self) -> usize {
-        self.total.points_missing.len() + self.total.points_reachable.abs_diff(self.points_reachable_here)
-    }
-
-    pub(super) fn value(&self, figure: &str) -> Option<f64> {
-        match figure {
-            "seconds" => Some(self.total.seconds),
-            "missing" => Some(self.missing() as f64),
-            _ => None,
+    /// Points of which nobody can tell whether they were reached: all of this release where the campaigns knew another
+    /// table; where they did not record which, those that only the larger of the two holds.
+    pub fn unknown(&self) -> usize {
+        match self.total.table.as_deref() {
+            Some(table) if table == Report::table_here() => 0,
+            Some(_) => self.points_reachable_here,
+            None => self.total.points_reachable.abs_diff(self.points_reachable_here),
         }
+    }
+
+    /// Points that were not reached, as far as it is known.
+    pub(super) fn missing(&self) -> usize {
+        match self.total.table.as_deref() {
+            Some(table) if table != Report::table_here() => self.unknown(),
+            _ => self.total.points_missing.len() + self.unknown(),
+        }
+    }
+}
+
+/// Whether two reports hold one campaign.
+fn is_again(one: &Report, other: &Report) -> bool {
+    let is_the_same_run = one.runs.iter().any(|run| other.runs.contains(run));
+    is_the_same_run || one == other
+}
+
+/// The one that there is.
+fn only(seeds: &[u64]) -> Option<u64> {
+    match seeds {
+        [seed] => Some(*seed),
+        _ => None,
     }
 }
 

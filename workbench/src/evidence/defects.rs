@@ -75,7 +75,9 @@ impl DefectEvidence {
         if let (Some(file), Some(name)) =
             (&sources.times, times.guided.keys().chain(times.plain.keys()).find(|name| !known.contains(name.as_str())))
         {
-            return Err(file.wrong(format_args!("`{name}` is measured and stands in no list of defects")));
+            return Err(file.wrong(format_args!(
+                "`{name}` is measured and stands in no list of defects: enter it in one, or take its times out"
+            )));
         }
         let method = |of: fn(&SeededDefect) -> Option<Measured>| Method::of(defects.iter().filter_map(of));
         Ok(DefectEvidence {
@@ -86,17 +88,24 @@ impl DefectEvidence {
         })
     }
 
-    pub(super) fn value(&self, figure: &str) -> Option<f64> {
-        let listed = self.defects.len();
-        let within = |seconds| {
-            self.defects.iter().filter(|defect| defect.guided.is_some_and(|one| one.is_within(seconds))).count()
-        };
-        match figure {
-            "listed" => (listed > 0).then_some(listed as f64),
-            _ if self.guided.measured == 0 => None,
-            "missed" => Some((listed - within(DEFECT_LIMIT_S)) as f64),
-            "quick" => Some(100.0 * within(DEFECT_HALF_S) as f64 / listed as f64),
-            _ => None,
-        }
+    /// Defects that were found with guidance within so many seconds; nothing where none was measured.
+    fn within(&self, seconds: f64) -> Option<usize> {
+        let within = self.defects.iter().filter(|defect| defect.guided.is_some_and(|one| one.is_within(seconds)));
+        (self.guided.measured > 0).then(|| within.count())
+    }
+
+    /// Defects that stand in the lists; nothing where there are no lists.
+    pub(super) fn listed(&self) -> Option<f64> {
+        (!self.defects.is_empty()).then_some(self.defects.len() as f64)
+    }
+
+    /// Defects that were not found in time.
+    pub(super) fn missed(&self) -> Option<f64> {
+        Some((self.defects.len() - self.within(DEFECT_LIMIT_S)?) as f64)
+    }
+
+    /// Defects that were found quickly, in percent.
+    pub(super) fn quick(&self) -> Option<f64> {
+        Some(100.0 * self.within(DEFECT_HALF_S)? as f64 / self.defects.len() as f64)
     }
 }

@@ -4,6 +4,9 @@ use serde::Serialize;
 
 use crate::bench::count;
 use crate::html::duration;
+use crate::inject::Group;
+
+use super::{Evidence, mutants};
 
 /// How a number is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +39,7 @@ pub enum Bound {
 }
 
 /// One floor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Floor {
     /// Its name, for machines.
     pub id: &'static str,
@@ -46,6 +49,8 @@ pub struct Floor {
     pub bound: Bound,
     /// Where that comes from.
     pub source: &'static str,
+    /// What was found of it; nothing where nobody has measured it.
+    pub value: fn(&Evidence) -> Option<f64>,
 }
 
 /// The crates whose tests are judged by mutants, with the floors of each.
@@ -66,8 +71,14 @@ const INJECTION: &str = "REQ-EVIDENCE-005 (decided); DESIGN 8";
 const MUTANTS: &str = "REQ-EVIDENCE-006 (decided)";
 const INDEPENDENCE: &str = "REQ-EVIDENCE-007 (decided)";
 
-const fn floor(id: &'static str, what: &'static str, bound: Bound, source: &'static str) -> Floor {
-    Floor { id, what, bound, source }
+const fn floor(
+    id: &'static str,
+    what: &'static str,
+    bound: Bound,
+    source: &'static str,
+    value: fn(&Evidence) -> Option<f64>,
+) -> Floor {
+    Floor { id, what, bound, source, value }
 }
 
 const fn at_least(number: f64, unit: Unit) -> Bound {
@@ -81,45 +92,82 @@ pub static FLOORS: &[Floor] = &[
         "differential campaign, time from begin to end",
         at_least(10_800.0, Unit::Seconds),
         CAMPAIGN,
+        |all| Some(all.campaign.as_ref()?.total.seconds),
     ),
-    floor("campaign.missing", "points of coverage that were not reached", Bound::None, CAMPAIGN),
-    floor("campaign.open", "differences that are not mended, or not accounted for", Bound::None, CAMPAIGN),
-    floor("defects.listed", "seeded defects", at_least(60.0, Unit::Count), DEFECTS),
-    floor("defects.missed", "seeded defects not found within 300 s, or not measured", Bound::None, DEFECTS),
-    floor("defects.quick", "seeded defects found within 20 s", at_least(50.0, Unit::Percent), DEFECTS),
+    floor("campaign.missing", "points of coverage that were not reached", Bound::None, CAMPAIGN, |all| {
+        Some(all.campaign.as_ref()?.missing() as f64)
+    }),
+    floor("campaign.open", "differences that are not mended, or not accounted for", Bound::None, CAMPAIGN, |all| {
+        all.campaign.as_ref().map(|_| all.open() as f64)
+    }),
+    floor("defects.listed", "seeded defects", at_least(60.0, Unit::Count), DEFECTS, |all| all.defects.listed()),
+    floor("defects.missed", "seeded defects not found within 300 s, or not measured", Bound::None, DEFECTS, |all| {
+        all.defects.missed()
+    }),
+    floor("defects.quick", "seeded defects found within 20 s", at_least(50.0, Unit::Percent), DEFECTS, |all| {
+        all.defects.quick()
+    }),
     floor(
         "injection.injected",
         "faults injected in one channel and in what both share",
         at_least(1_000_000.0, Unit::Count),
         INJECTION,
+        |all| Some(all.injection.as_ref()?.counted() as f64),
     ),
-    floor("injection.samples", "samples into which nothing was injected", Bound::None, INJECTION),
-    floor("injection.classes", "classes of such faults of which none was injected", Bound::None, INJECTION),
-    floor("injection.channel", "wrong outputs let out by a fault in one channel", Bound::None, INJECTION),
-    floor("injection.shared", "wrong outputs let out by a fault in what both share", Bound::None, INJECTION),
+    floor("injection.samples", "samples into which nothing was injected", Bound::None, INJECTION, |all| {
+        Some(all.injection.as_ref()?.not_reported.len() as f64)
+    }),
+    floor("injection.classes", "classes of such faults of which none was injected", Bound::None, INJECTION, |all| {
+        Some(all.injection.as_ref()?.not_injected.len() as f64)
+    }),
+    floor("injection.channel", "wrong outputs let out by a fault in one channel", Bound::None, INJECTION, |all| {
+        all.let_out(Group::Channel)
+    }),
+    floor("injection.shared", "wrong outputs let out by a fault in what both share", Bound::None, INJECTION, |all| {
+        all.let_out(Group::Shared)
+    }),
     floor(
         "injection.residual",
         "residual faults injected, to see that a miss is seen",
         at_least(1.0, Unit::Count),
         INJECTION,
+        |all| Some(all.injection.as_ref()?.group(Group::Residual)?.injected as f64),
     ),
-    floor("mutants.primary", "mutation score of vm/primary", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS),
-    floor("mutants.partner", "mutation score of vm/partner", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS),
-    floor("mutants.controller", "mutation score of vm/controller", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS),
-    floor("mutants.compiler", "mutation score of compiler", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS),
-    floor("mutants.sample", "crates of these of which too few mutants were tried", Bound::None, MUTANTS),
-    floor("mutants.survivors", "surviving mutants without a reason", Bound::None, MUTANTS),
+    floor("mutants.primary", "mutation score of vm/primary", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS, |all| {
+        mutants::percent(&all.mutants, "vm/primary")
+    }),
+    floor("mutants.partner", "mutation score of vm/partner", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS, |all| {
+        mutants::percent(&all.mutants, "vm/partner")
+    }),
+    floor(
+        "mutants.controller",
+        "mutation score of vm/controller",
+        at_least(MUTATION_SCORE, Unit::Percent),
+        MUTANTS,
+        |all| mutants::percent(&all.mutants, "vm/controller"),
+    ),
+    floor("mutants.compiler", "mutation score of compiler", at_least(MUTATION_SCORE, Unit::Percent), MUTANTS, |all| {
+        mutants::percent(&all.mutants, "compiler")
+    }),
+    floor("mutants.sample", "crates of these of which too few mutants were tried", Bound::None, MUTANTS, |all| {
+        mutants::too_small(&all.mutants)
+    }),
+    floor("mutants.survivors", "surviving mutants without a reason", Bound::None, MUTANTS, |all| {
+        mutants::without_a_reason(&all.mutants)
+    }),
     floor(
         "independence.uncovered",
         "things that both channels share and nothing is said to cover",
         Bound::None,
         INDEPENDENCE,
+        |all| all.independence.as_ref()?.uncovered(),
     ),
     floor(
         "independence.unnamed",
         "residual classes of faults that docs/independence.md does not name",
         Bound::None,
         INDEPENDENCE,
+        |all| Some(all.independence.as_ref()?.unnamed.len() as f64),
     ),
 ];
 
@@ -193,8 +241,8 @@ mod tests {
     /// REQ-EVIDENCE-002
     #[test]
     fn floor_when_what_was_found_is_at_it_above_below_or_absent_then_it_is_judged_so() {
-        let least = floor("id", "what", at_least(60.0, Unit::Count), MUTANTS);
-        let none = floor("id", "what", Bound::None, MUTANTS);
+        let least = floor("id", "what", at_least(60.0, Unit::Count), MUTANTS, |_| None);
+        let none = floor("id", "what", Bound::None, MUTANTS, |_| None);
         let state = |floor: &Floor, value| floor.judge(value).state;
         assert_eq!(
             [Some(60.0), Some(59.9), None].map(|value| state(&least, value)),

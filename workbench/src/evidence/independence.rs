@@ -46,14 +46,10 @@ impl Independence {
         Ok(Some(Independence { file: file.name.clone(), areas: areas(text), unnamed }))
     }
 
-    pub(super) fn value(&self, figure: &str) -> Option<f64> {
-        match figure {
-            // A page without the section says nothing about anything.
-            "uncovered" if self.areas.is_empty() => None,
-            "uncovered" => Some(self.areas.iter().filter(|area| area.covered_by.is_empty()).count() as f64),
-            "unnamed" => Some(self.unnamed.len() as f64),
-            _ => None,
-        }
+    /// Areas of which nothing is said that covers them; nothing where the page has no areas, and so says nothing about anything.
+    pub(super) fn uncovered(&self) -> Option<f64> {
+        let uncovered = self.areas.iter().filter(|area| area.covered_by.is_empty()).count();
+        (!self.areas.is_empty()).then_some(uncovered as f64)
     }
 }
 

@@ -53,7 +53,7 @@ pub struct InjectionEvidence {
     pub misses: Vec<Miss>,
     /// Classes of faults in a channel or in what both share of which none was injected.
     pub not_injected: Vec<String>,
-    /// Samples of which there is no report.
+    /// Samples into which no fault in a channel or in what both share was injected.
     pub not_reported: Vec<String>,
 }
 
@@ -75,6 +75,11 @@ impl InjectionEvidence {
                     file.wrong(format_args!("a report of form {schema}, and this release knows {known}; run it again"))
                 );
             }
+            if let Some((other, _)) = read.iter().find(|(_, other)| is_again(&report, other)) {
+                return Err(file.wrong(format_args!(
+                    "faults of the same classes, seed, inputs and project as in {other}, and they would count twice: take one of them away, or run it again with another --seed"
+                )));
+            }
             origins.push(file.origin(vec![report.provenance.clone()]));
             read.push((&file.name, report));
         }
@@ -92,7 +97,12 @@ impl InjectionEvidence {
             let folder = project.trim_end_matches("/project.rll").trim_end_matches('/');
             folder == sample || folder.ends_with(&format!("/{sample}"))
         };
-        let reported = |sample: &&String| read.iter().any(|(_, recorded)| is_of(&recorded.project, sample));
+        let is_injected = |recorded: &Recorded| {
+            recorded.report.classes.iter().any(|class| class.group != Group::Residual && class.injected > 0)
+        };
+        let reported = |sample: &&String| {
+            read.iter().any(|(_, recorded)| is_of(&recorded.project, sample) && is_injected(recorded))
+        };
         let misses = read.iter().flat_map(|(_, recorded)| {
             recorded.report.classes.iter().flat_map(move |class| {
                 class
@@ -127,19 +137,20 @@ impl InjectionEvidence {
         self.groups.iter().find(|summary| summary.group == group && summary.injected > 0)
     }
 
-    pub(super) fn value(&self, figure: &str) -> Option<f64> {
-        let let_out = |group| self.group(group).map(|summary| summary.let_out as f64);
-        match figure {
-            "injected" => {
-                let counted = [Group::Channel, Group::Shared].into_iter().filter_map(|group| self.group(group));
-                Some(counted.map(|summary| summary.injected).sum::<u64>() as f64)
-            }
-            "samples" => Some(self.not_reported.len() as f64),
-            "classes" => Some(self.not_injected.len() as f64),
-            "channel" => let_out(Group::Channel),
-            "shared" => let_out(Group::Shared),
-            "residual" => self.group(Group::Residual).map(|summary| summary.injected as f64),
-            _ => None,
-        }
+    /// Faults injected in one channel and in what both share.
+    pub(super) fn counted(&self) -> u64 {
+        let counted = [Group::Channel, Group::Shared].into_iter().filter_map(|group| self.group(group));
+        counted.map(|summary| summary.injected).sum()
     }
+}
+
+/// Whether two reports hold the same faults: one run under two names, or places drawn from one seed in one class of one run.
+fn is_again(one: &Recorded, other: &Recorded) -> bool {
+    let key = |of: &Recorded| (of.signature.clone(), of.stimulus.clone(), of.report.seed);
+    let injected =
+        |of: &Recorded, name: &str| of.report.classes.iter().any(|class| class.name == name && class.injected > 0);
+    let has_a_class_in_common =
+        one.report.classes.iter().any(|class| class.injected > 0 && injected(other, &class.name));
+    (key(one) == key(other) && has_a_class_in_common)
+        || one.report == other.report && one.provenance == other.provenance
 }

@@ -19,15 +19,16 @@ use serde::Serialize;
 
 pub use campaign::{CampaignEvidence, InstructionCoverage, Share};
 pub use defects::{DefectEvidence, SeededDefect};
-pub use difference::Difference;
+pub use difference::{Difference, Reported};
 pub use floors::{Bound, FLOORS, Floor, Judged, State, Unit};
 pub use independence::{Area, Independence};
 pub use injection::InjectionEvidence;
 pub use mutants::{MutationRun, MutationScore, Survivor};
 pub use page::page;
 pub use sources::{EvidenceError, File, Sources};
-pub use times::{Conditions, Measured, Method, Times};
+pub use times::{Conditions, Measured, Method, OtherConditions, Times};
 
+use crate::inject::Group;
 use crate::provenance::Provenance;
 
 /// The form of the JSON that [`Evidence`] is written as.
@@ -96,25 +97,19 @@ impl Evidence {
             independence,
             origins,
         };
-        evidence.floors = FLOORS.iter().map(|floor| floor.judge(evidence.value(floor.id))).collect();
+        evidence.floors = FLOORS.iter().map(|floor| floor.judge((floor.value)(&evidence))).collect();
         evidence.is_met = evidence.floors.iter().all(|judged| judged.state == State::Met);
         Ok(evidence)
     }
 
-    /// What was found for a floor; nothing where nobody has measured it.
-    fn value(&self, id: &str) -> Option<f64> {
-        let (part, figure) = id.split_once('.')?;
-        match part {
-            "campaign" if figure == "open" => {
-                self.campaign.as_ref().map(|_| self.differences.iter().filter(|one| one.is_open()).count() as f64)
-            }
-            "campaign" => self.campaign.as_ref()?.value(figure),
-            "defects" => self.defects.value(figure),
-            "injection" => self.injection.as_ref()?.value(figure),
-            "mutants" => mutants::value(&self.mutants, figure),
-            "independence" => self.independence.as_ref()?.value(figure),
-            _ => None,
-        }
+    /// Differences that are not mended, or that nobody has accounted for.
+    pub fn open(&self) -> usize {
+        self.differences.iter().filter(|one| one.is_open()).count()
+    }
+
+    /// Wrong outputs that faults of a group let out; nothing where none was injected.
+    fn let_out(&self, group: Group) -> Option<f64> {
+        Some(self.injection.as_ref()?.group(group)?.let_out as f64)
     }
 
     /// Floors that are not met: those that nobody has measured among them.

@@ -17,7 +17,7 @@ pub struct MutationRun {
     #[serde(default)]
     pub tool: String,
     /// The command that makes it again.
-    #[serde(default, deserialize_with = "lines")]
+    #[serde(default)]
     pub command: String,
     /// The commit whose sources were mutated.
     #[serde(default)]
@@ -41,20 +41,6 @@ pub struct MutationRun {
     pub missed_first: u64,
     /// Those that none notices now.
     pub missed: u64,
-}
-
-/// One line, or several.
-fn lines<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
-    #[derive(Deserialize)]
-    #[serde(untagged)]
-    enum Lines {
-        One(String),
-        Several(Vec<String>),
-    }
-    Ok(match Lines::deserialize(deserializer)? {
-        Lines::One(line) => line,
-        Lines::Several(lines) => lines.join("\n"),
-    })
 }
 
 /// A mutant that no test notices.
@@ -99,15 +85,7 @@ pub(super) fn read(sources: &Sources, origins: &mut Vec<Origin>) -> Result<Vec<M
     let mut scores = Vec::with_capacity(sources.mutants.len());
     for file in &sources.mutants {
         let Outcome { run, survivors } = file.toml()?;
-        let seen = run.caught + run.timeout + run.unviable;
-        if ![run.missed, run.missed_first].map(|missed| seen + missed).contains(&run.tried)
-            || run.missed > run.missed_first
-        {
-            return Err(file.wrong(format_args!(
-                "caught, timeout, unviable and missed are not the {} that were tried",
-                run.tried
-            )));
-        }
+        run.consistent(survivors.len()).map_err(|what| file.wrong(what))?;
         origins.push(file.origin(Vec::new()));
         scores.push(MutationScore { first: run.score(run.missed_first), now: run.score(run.missed), survivors, run });
     }
@@ -115,6 +93,30 @@ pub(super) fn read(sources: &Sources, origins: &mut Vec<Origin>) -> Result<Vec<M
 }
 
 impl MutationRun {
+    /// Whether the numbers are those of one run; if not, what is wrong with them, and the way out.
+    fn consistent(&self, survivors: usize) -> Result<(), String> {
+        let MutationRun { of, tried, caught, timeout, unviable, missed_first, missed, .. } = *self;
+        let sum = |missed: u64| [timeout, unviable, missed].iter().try_fold(caught, |sum, one| sum.checked_add(*one));
+        if missed > missed_first || ![missed, missed_first].into_iter().any(|missed| sum(missed) == Some(tried)) {
+            return Err(format!(
+                "caught, timeout, unviable and missed are not the {tried} that were tried: caught, timeout and unviable are those of one \
+                 run, and with the missed of that run (missed_first before tests were added, else missed, which is no more) they make tried"
+            ));
+        }
+        if tried > of {
+            return Err(format!("{tried} were tried of {of}: `of` counts all mutants that the crate has"));
+        }
+        if self.viable() == 0 {
+            return Err("no mutant compiled, and none is no result: try more, or take the file away".to_owned());
+        }
+        if survivors as u64 > missed {
+            return Err(format!(
+                "{survivors} survivors are named and {missed} were missed: take out those that a test notices now, or count them"
+            ));
+        }
+        Ok(())
+    }
+
     /// Mutants that compile.
     pub fn viable(&self) -> u64 {
         self.tried.saturating_sub(self.unviable)
@@ -154,17 +156,26 @@ pub(super) fn of<'s>(scores: &'s [MutationScore], folder: &str) -> Option<&'s Mu
     scores.iter().find(|score| score.run.is_of(folder))
 }
 
-pub(super) fn value(scores: &[MutationScore], figure: &str) -> Option<f64> {
-    let measured = || MUTATED.iter().filter_map(|folder| of(scores, folder));
-    match figure {
-        "sample" | "survivors" if measured().next().is_none() => None,
-        "sample" => Some((MUTATED.len() - measured().filter(|score| score.run.is_enough()).count()) as f64),
-        "survivors" => Some(measured().map(MutationScore::without_a_reason).sum::<u64>() as f64),
-        _ => {
-            let folder = MUTATED.iter().find(|folder| folder.rsplit('/').next() == Some(figure))?;
-            of(scores, folder).map(|score| score.now.share * 100.0)
-        }
-    }
+/// The score of a crate of [`MUTATED`], in percent.
+pub(super) fn percent(scores: &[MutationScore], folder: &str) -> Option<f64> {
+    of(scores, folder).map(|score| score.now.share * 100.0)
+}
+
+/// Those of [`MUTATED`] that were measured; nothing where none was.
+fn measured(scores: &[MutationScore]) -> Option<Vec<&MutationScore>> {
+    let measured: Vec<&MutationScore> = MUTATED.iter().filter_map(|folder| of(scores, folder)).collect();
+    (!measured.is_empty()).then_some(measured)
+}
+
+/// Crates of [`MUTATED`] of which too few mutants were tried.
+pub(super) fn too_small(scores: &[MutationScore]) -> Option<f64> {
+    let enough = measured(scores)?.iter().filter(|score| score.run.is_enough()).count();
+    Some((MUTATED.len() - enough) as f64)
+}
+
+/// Survivors of [`MUTATED`] without a reason.
+pub(super) fn without_a_reason(scores: &[MutationScore]) -> Option<f64> {
+    Some(measured(scores)?.into_iter().map(MutationScore::without_a_reason).sum::<u64>() as f64)
 }
 
 impl MutationScore {

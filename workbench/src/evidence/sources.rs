@@ -4,6 +4,7 @@ use std::fmt::{self, Display};
 
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
+use twinrung_bytecode::signature::long_form;
 
 use crate::provenance::Provenance;
 
@@ -64,17 +65,23 @@ impl File {
 
     /// As text.
     pub(super) fn text(&self) -> Result<&str, EvidenceError> {
-        std::str::from_utf8(&self.bytes).map_err(|error| self.wrong(error))
+        std::str::from_utf8(&self.bytes)
+            .map_err(|error| self.wrong(format_args!("no UTF-8 text: {error}; save it as UTF-8")))
     }
 
     /// As TOML.
     pub(super) fn toml<T: DeserializeOwned>(&self) -> Result<T, EvidenceError> {
-        toml::from_str(self.text()?).map_err(|error| self.wrong(error.to_string().trim_end()))
+        toml::from_str(self.text()?).map_err(|error| {
+            let error = error.to_string();
+            self.wrong(format_args!(
+                "{}\nput the line right, or take the file away: then what it holds counts as not measured",
+                error.trim_end()
+            ))
+        })
     }
 
     /// Where its figures come from.
     pub(super) fn origin(&self, measurements: Vec<Provenance>) -> Origin {
-        let digits: String = Sha256::digest(&self.bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-        Origin { file: self.name.clone(), sha256: digits, measurements }
+        Origin { file: self.name.clone(), sha256: long_form(&Sha256::digest(&self.bytes).into()), measurements }
     }
 }

@@ -1,6 +1,7 @@
 //! The times that seeded defects took to be found, as they are kept in `tests/defects/times.toml`.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
@@ -8,6 +9,7 @@ use super::floors::DEFECT_HALF_S;
 
 /// What the fuzzer took to find a defect.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Measured {
     /// Whether it found a difference.
     pub found: bool,
@@ -26,7 +28,7 @@ impl Measured {
 
 /// Under what the times were taken.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(deny_unknown_fields)]
 pub struct Conditions {
     /// Threads.
     pub jobs: u32,
@@ -44,6 +46,35 @@ pub struct Conditions {
     pub cores: usize,
 }
 
+/// Times that are there were taken under other conditions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OtherConditions {
+    /// Which: `guided` or `plain`.
+    pub way: &'static str,
+    /// Those that are recorded.
+    pub recorded: Conditions,
+}
+
+impl fmt::Display for OtherConditions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Conditions { jobs, limit_s, seed, version, rustc, processor, cores } = &self.recorded;
+        write!(
+            f,
+            "the {} times that are there were taken with --jobs {jobs} --limit {limit_s} --seed {seed}, by version {version}, {rustc}, on \
+             {processor}, {cores} processors, and one list has one set of conditions: measure under these, or move the file away and \
+             measure the whole list anew",
+            self.way
+        )
+    }
+}
+
+impl std::error::Error for OtherConditions {}
+
+/// The name of a way to look for defects.
+fn way(plain: bool) -> &'static str {
+    if plain { "plain" } else { "guided" }
+}
+
 /// What was measured of each defect, by its name.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -54,7 +85,7 @@ pub struct Times {
     /// Random programs alone.
     #[serde(default)]
     pub plain: BTreeMap<String, Measured>,
-    /// Under what the last of each was measured, `guided` and `plain`.
+    /// Under what all of each were measured, `guided` and `plain`.
     #[serde(default)]
     pub conditions: BTreeMap<String, Conditions>,
 }
@@ -65,9 +96,40 @@ impl Times {
         if plain { &mut self.plain } else { &mut self.guided }
     }
 
-    /// Says under what one was measured.
-    pub fn measured_under(&mut self, plain: bool, conditions: Conditions) {
-        self.conditions.insert(if plain { "plain" } else { "guided" }.to_owned(), conditions);
+    /// Whether times that are taken like this stand beside those that are there: one list of times has one set of conditions.
+    ///
+    /// # Errors
+    ///
+    /// Those that are there were taken otherwise.
+    pub fn admits(&self, plain: bool, jobs: u32, limit_s: u32, seed: u64) -> Result<(), OtherConditions> {
+        match self.conditions.get(way(plain)) {
+            Some(of) if (of.jobs, of.limit_s, of.seed) != (jobs, limit_s, seed) => {
+                Err(OtherConditions { way: way(plain), recorded: of.clone() })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Enters what one took, and under what it was measured.
+    ///
+    /// # Errors
+    ///
+    /// Those that are there were taken under other conditions; nothing is entered.
+    pub fn enter(
+        &mut self,
+        plain: bool,
+        name: &str,
+        measured: Measured,
+        conditions: Conditions,
+    ) -> Result<(), OtherConditions> {
+        let recorded = self.conditions.get(way(plain)).cloned().unwrap_or_default();
+        let has_others = self.of(plain).keys().any(|known| known != name);
+        if has_others && recorded != conditions {
+            return Err(OtherConditions { way: way(plain), recorded });
+        }
+        self.conditions.insert(way(plain).to_owned(), conditions);
+        self.of(plain).insert(name.to_owned(), measured);
+        Ok(())
     }
 }
 

@@ -109,16 +109,23 @@ fn coverage(out: &mut String, campaign: &CampaignEvidence) {
     html::heading(out, 3, "What was reached");
     html::paragraph(
         out,
-        "For each instruction: its outcomes, each form that each operand admits, each class of values that each operand reads. The reports name what was not reached; what nothing can reach is argued in workbench/src/fuzz/coverage/unreachable.rs.",
+        "For each instruction: its outcomes, each form that each operand admits, each class of values that each operand reads. The reports name what was not reached; what nothing can reach is argued in contest/src/fuzz/coverage/unreachable.rs.",
     );
-    if !campaign.is_of_this_table() {
-        let (there, here) = (total.points_reachable, campaign.points_reachable_here);
-        html::warning(
+    let (there, here) = (total.points_reachable, campaign.points_reachable_here);
+    match &total.table {
+        Some(_) if campaign.unknown() == 0 => {}
+        Some(_) => html::warning(
             out,
             &format!(
-                "The campaigns knew {there} points, this release knows {here}: the difference counts as not reached, and the table below holds for the points of this release."
+                "The campaigns knew {there} points of another table than this release, which knows {here}: all of these count as not reached, and the table below says nothing."
             ),
-        );
+        ),
+        None => html::warning(
+            out,
+            &format!(
+                "Which points a campaign knew was not recorded in all reports. They knew {there}, this release knows {here}: the difference of the numbers counts as not reached, and the table below holds if they were the same points."
+            ),
+        ),
     }
     let missing = total.points_missing.len();
     let reached = total.points_reachable.saturating_sub(missing);
@@ -155,11 +162,14 @@ fn differences(out: &mut String, differences: &[Difference]) {
     }
     let row = |one: &Difference| {
         let named = |text: &str| if text.is_empty() { Cell::Not("not judged".to_owned()) } else { Cell::text(text) };
-        let became = if one.is_open() { Cell::Not("OPEN".to_owned()) } else { Cell::text(&one.mended) };
-        let place = one
-            .report
-            .as_ref()
-            .map_or(String::new(), |report| format!(" ({report}, program {})", one.program.unwrap_or_default()));
+        let became = match one.is_open() {
+            true => Cell::Not("OPEN".to_owned()),
+            false => Cell::Text(format!("{}; {}", one.mended, one.kept_by.join("; "))),
+        };
+        let place = one.report.as_ref().map_or(String::new(), |report| {
+            let seed = one.seed.map_or_else(|| "not recorded".to_owned(), |seed| seed.to_string());
+            format!(" ({report}, seed {seed}, program {})", one.program.unwrap_or_default())
+        });
         vec![Cell::text(&one.what), Cell::Text(format!("{}{place}", one.found_by)), named(&one.wrong), became]
     };
     html::table(

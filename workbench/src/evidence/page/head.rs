@@ -69,7 +69,7 @@ fn shown(evidence: &Evidence) -> Vec<(String, bool)> {
         || absent("Whether the channels compute the same"),
         |campaign| {
             let total = &campaign.total;
-            let open = evidence.differences.iter().filter(|one| one.is_open()).count();
+            let open = evidence.open();
             let verdict = match open {
                 0 => "no difference is left open".to_owned(),
                 open => format!("{open} differences are OPEN"),
@@ -113,7 +113,11 @@ fn shown(evidence: &Evidence) -> Vec<(String, bool)> {
         evidence.mutants.iter().map(|score| format!("{} {:.1} %", score.run.name, score.now.share * 100.0)).collect();
     let mutants = match scores.is_empty() {
         true => absent("Whether the tests notice a small change"),
-        false => (format!("Small changes of the source that the tests notice: {}.", scores.join(", ")), true),
+        false => {
+            let mut floors = evidence.floors.iter().filter(|judged| judged.id.starts_with("mutants."));
+            let is_good = floors.all(|judged| judged.state == State::Met);
+            (format!("Small changes of the source that the tests notice: {}.", scores.join(", ")), is_good)
+        }
     };
     vec![campaign, defects, injection, mutants]
 }

@@ -20,15 +20,10 @@ pub(super) fn write(out: &mut String, review: Option<&Independence>) {
             review.file
         ),
     );
-    let or =
-        |text: &str, otherwise: &str| if text.is_empty() { Cell::Not(otherwise.to_owned()) } else { Cell::text(text) };
+    let said = |text: &String| if text.is_empty() { Cell::Not("NOTHING IS SAID".to_owned()) } else { Cell::text(text) };
     let rows = review.areas.iter().map(|area| {
-        vec![
-            Cell::text(&area.name),
-            or(&area.covered_by, "NOTHING IS SAID"),
-            Cell::text(&area.not_covered),
-            Cell::text(&area.user),
-        ]
+        let parts = [&area.covered_by, &area.not_covered, &area.user].map(said);
+        [vec![Cell::text(&area.name)], parts.to_vec()].concat()
     });
     html::table(out, &["shared", "covered by", "not covered", "what the user must do"], rows);
     if !review.unnamed.is_empty() {

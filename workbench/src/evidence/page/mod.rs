@@ -22,7 +22,7 @@ pub fn page(evidence: &Evidence, here: &Provenance) -> String {
     injection::write(&mut out, evidence.injection.as_ref());
     mutants::write(&mut out, &evidence.mutants);
     independence::write(&mut out, evidence.independence.as_ref());
-    origins::write(&mut out, &evidence.origins);
+    origins::write(&mut out, &evidence.origins, here);
     out.push_str(html::END);
     out
 }

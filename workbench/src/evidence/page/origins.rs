@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use crate::html::{self, Cell, duration};
+use crate::provenance::Provenance;
 
 use super::super::Origin;
 use super::{build, machine, recorded};
 
-pub(super) fn write(out: &mut String, origins: &[Origin]) {
+pub(super) fn write(out: &mut String, origins: &[Origin], here: &Provenance) {
     html::heading(out, 2, "Where the figures come from");
     html::paragraph(
         out,
@@ -16,14 +17,16 @@ pub(super) fn write(out: &mut String, origins: &[Origin]) {
     let row = |origin: &Origin| vec![Cell::text(&origin.file), Cell::Code(origin.sha256.clone())];
     html::table(out, &["file", "SHA-256"], origins.iter().map(row));
     let all = || origins.iter().flat_map(|origin| origin.measurements.iter().map(move |made| (origin, made)));
-    let versions: BTreeSet<String> = all().map(|(_, made)| build(made)).collect();
-    if versions.len() > 1 {
+    // Without its commit nobody can tell which build it was.
+    let is_here = |made: &Provenance| made.commit.is_some() && build(made) == build(here);
+    let others: BTreeSet<String> = all().filter(|(_, made)| !is_here(made)).map(|(_, made)| build(made)).collect();
+    if !others.is_empty() {
         html::warning(
             out,
             &format!(
-                "The measurements come from {} builds: {}.",
-                versions.len(),
-                versions.into_iter().collect::<Vec<_>>().join("; ")
+                "Measured by builds that are not, or are not known to be, the one that writes this page ({}): {}.",
+                build(here),
+                others.into_iter().collect::<Vec<_>>().join("; ")
             ),
         );
     }
