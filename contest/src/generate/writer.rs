@@ -273,7 +273,8 @@ impl Writer<'_> {
             }
             5 => match (self.plain_integer(), self.plain_integer()) {
                 (Some(left), Some(right)) => {
-                    format!("({left}{}{right}) AND {mask}", *self.random.of(&['+', '-', '*']))
+                    let sum = format!("({left}{}{right})", *self.random.of(&['+', '-', '*']));
+                    if self.random.percent(50) { format!("{sum} AND {mask}") } else { format!("{mask} AND {sum}") }
                 }
                 _ => one,
             },
