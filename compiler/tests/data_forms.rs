@@ -86,6 +86,32 @@ fn real_when_two_forms_write_it_with_other_digits_then_they_agree_and_another_va
 }
 
 #[test]
+fn structure_when_two_forms_differ_then_only_its_real_may_in_its_last_digits() {
+    let judged = |list: &str, speed: &str, ratio: &str| {
+        let forms = format!(
+            "<Data Format=\"L5K\"><![CDATA[{list}]]></Data><Data Format=\"Decorated\"><Structure DataType=\"Axis_T\"><DataValueMember \
+             Name=\"Enabled\" DataType=\"BOOL\" Value=\"0\"/><DataValueMember Name=\"Homed\" DataType=\"BOOL\" \
+             Value=\"1\"/><DataValueMember Name=\"Speed\" DataType=\"DINT\" Value=\"{speed}\"/><DataValueMember Name=\"Ratio\" \
+             DataType=\"REAL\" Value=\"{ratio}\"/></Structure></Data>"
+        );
+        let member = |name: &str, kind: &str| {
+            format!("<Member Name=\"{name}\" DataType=\"{kind}\" Dimension=\"0\" Hidden=\"false\"/>")
+        };
+        let text = export(&tag("DataType=\"Axis_T\"", &forms), "NOP();");
+        let begin = text.find("<Member Name=\"Speed\"").unwrap();
+        let end = begin + text[begin..].find("</Members>").unwrap();
+        let text = format!("{}{}{}{}", &text[..begin], member("Speed", "DINT"), member("Ratio", "REAL"), &text[end..]);
+        let mut sources = Sources::new();
+        let checked = check(&read(&mut sources, "sample.L5X", &text), &Completion::default());
+        let errors = checked.findings.iter().filter(|finding| finding.is_error());
+        errors.map(|finding| finding.code.id).collect::<Vec<_>>()
+    };
+    assert_eq!(judged("[2,1065353216,1.1]", "1065353216", "1.10000002"), Vec::<&str>::new());
+    assert_eq!(judged("[2,1065353216,1.1]", "1065353217", "1.1"), ["E0308"]);
+    assert_eq!(judged("[2,1065353216,1.1]", "1065353216", "1.2"), ["E0308"]);
+}
+
+#[test]
 fn integer_when_two_forms_differ_in_its_last_digit_then_they_disagree() {
     assert_eq!(two_forms("DINT", "1065353216", "1065353216"), Vec::<&str>::new());
     assert_eq!(two_forms("DINT", "1065353216", "1065353217"), ["E0308"]);

@@ -64,6 +64,12 @@ fn number_of_inputs_when_more_than_a_subroutine_takes_then_refused() {
 }
 
 #[test]
+fn operands_when_several_are_unknown_then_each_is_reported_unless_it_depends_on_another() {
+    on_rungs(TAGS, "MOV(<<Nope>>,<<Neither>>)", &["E0201", "E0201"]);
+    on_rungs(TAGS, "GSV(<<CLOCK>>,THIS,Nothing,A)", &["S0107"]);
+}
+
+#[test]
 fn label_when_not_first_on_its_rung_then_that_is_reported_and_not_the_label() {
     on_rungs(TAGS, "XIC(X)<<LBL(There)>>NOP()", &["E0404"]);
 }

@@ -57,3 +57,12 @@ fn suppression_when_further_findings_are_not_listed_then_nobody_says_that_it_cov
     assert_eq!(found.iter().filter(|(code, _)| *code == "W0901").count(), 0);
     assert_eq!(found.last().map(|(code, _)| *code), Some("E0109"));
 }
+
+#[test]
+fn comment_when_it_only_begins_like_a_suppression_then_prose() {
+    for prose in
+        ["allow Water: in the tank", "allow W01: no", "allow 10101: no", "allow WABCD: no", "allowing W0101: no"]
+    {
+        assert_eq!(judged(&two_coils("", &format!("// {prose}"))), [("W0101", None)], "{prose}");
+    }
+}

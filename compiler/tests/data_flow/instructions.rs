@@ -82,6 +82,27 @@ fn parameter_when_it_is_compared_with_a_number_that_no_terminal_writes_then_refu
 }
 
 #[test]
+fn parameter_when_another_number_is_held_to_the_range_then_refused() {
+    let rest = "LES(W,V)OTE(Motor)\nXIC(Safe)ADD(W,1,W)";
+    let with = |range: &str| on_rungs(&format!("XIC(Ack)ONS(Edge)EQU(Num,Num2){range}MOV(Num,V)\n{rest}"));
+    for kept in ["GEQ(Num,1)LEQ(Num,100)", "LEQ(1,Num)GEQ(100,Num2)", "GRT(Num,X)LES(Num,Y)", "LIM(1,Num2,100)"] {
+        assert_eq!(with(kept), Vec::<String>::new(), "{kept}");
+    }
+    for other in [
+        "GEQ(X,1)LEQ(Num,100)",
+        "GEQ(Num,1)LEQ(X,100)",
+        "GEQ(Num,Num2)LEQ(Num,100)",
+        "GEQ(Num,1)LEQ(Num,Num2)",
+        "GEQ(100,X)LEQ(1,Num)",
+        "LEQ(1,X)GEQ(100,Num)",
+        "LIM(1,X,100)",
+        "LIM(Num2,Num,100)",
+    ] {
+        assert_eq!(with(other), ["S0704 Num"], "{other}");
+    }
+}
+
+#[test]
 fn parameter_when_a_bit_of_a_number_stands_for_a_step_and_something_writes_the_number_then_refused() {
     let rest = "XIC(Ack)ONS(Edge)XIC(Words[1].0)LIM(1,Num,100)MOV(Num,V)\nLES(W,V)OTE(Motor)\nXIC(Safe)ADD(W,1,W)";
     let with = |other: &str| on_rungs(&format!("EQU(Num,Num2)OTE(Words[1].0)\n{other}\n{rest}"));
