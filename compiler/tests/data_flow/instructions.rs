@@ -68,6 +68,27 @@ fn zone_when_a_jump_leads_to_its_first_rung_then_it_still_qualifies_and_past_it_
 }
 
 #[test]
+fn zone_when_a_jump_leads_into_a_later_one_then_it_still_qualifies() {
+    let zone = "XIC(Safe)MCR()\nXIC(Std)OTE(Motor)\nMCR()";
+    let later = "XIC(Safe2)JMP(In)\nXIC(Safe)MCR()\nLBL(In)NOP()\nMCR()";
+    accepted(&format!("{zone}\n{later}"));
+}
+
+#[test]
+fn inverted_contact_when_what_makes_its_bit_0_is_qualified_then_accepted() {
+    let either = "[XIC(Std) ,XIC(Safe) ]OTE(A)";
+    refused(&format!("{either}\nXIC(A)OTE(Motor)"), &["S0701 Std"]);
+    accepted(&format!("{either}\nXIO(A)OTE(Motor)"));
+}
+
+#[test]
+fn reset_when_standard_data_alone_does_it_then_what_it_clears_is_unqualified() {
+    refused("XIC(Safe)CTU(N,3,0)\nXIC(Std)RES(N)\nXIO(N.DN)OTE(Motor)", &["S0701 Std"]);
+    refused("XIC(Safe)RTO(T,3,0)\nXIC(Std)RES(T)\nXIO(T.DN)OTE(Motor)", &["S0701 Std"]);
+    accepted("XIC(Safe)CTU(N,3,0)\nXIC(Safe2)RES(N)\nXIO(N.DN)OTE(Motor)");
+}
+
+#[test]
 fn channels_when_they_are_reported_then_what_follows_from_them_is_not_reported_again() {
     let dcs = "DCS(E,E-STOP,EQUIVALENT - ACTIVE HIGH,500,MANUAL,MANUAL,A,B,In:I.CombinedInputStatus,Safe)";
     let rungs = format!("XIC(Std)OTE(A)\nXIC(Std2)OTE(B)\n{dcs}\nXIC(E.O1)OTE(Motor)");
