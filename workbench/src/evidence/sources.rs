@@ -82,6 +82,6 @@ impl File {
 
     /// Where its figures come from.
     pub(super) fn origin(&self, measurements: Vec<Provenance>) -> Origin {
-        Origin { file: self.name.clone(), sha256: long_form(&Sha256::digest(&self.bytes).into()), measurements }
+        Origin { file: self.name.clone(), sha256: long_form(&Sha256::digest(&self.bytes)), measurements }
     }
 }

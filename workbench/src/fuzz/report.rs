@@ -147,7 +147,7 @@ impl Report {
             for point in Universe::get().points().iter().filter(|point| unreachable(point).is_none()) {
                 hash.update(format!("{point}\n"));
             }
-            long_form(&hash.finalize().into())
+            long_form(&hash.finalize())
         })
     }
 
