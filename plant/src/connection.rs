@@ -1,78 +1,135 @@
-//! A safety connection: packets at an interval, a reaction time limit, and the status that the consumer shows.
-//! Source: 1756-RM093 Table 9; 1734-UM013, Configure Safety Connections.
+//! A safety connection: what a producer sends, and what its consumer makes of it. 1756-RM093 Table 9, Appendix C; 1734-UM013,
+//! Configure Safety Connections.
+//!
+//! The producer sends every requested packet interval what it publishes then. A packet carries the time at which it was sent. The
+//! consumer holds the newest packet that arrived; once that is older than the connection reaction time limit the connection is
+//! faulted, until a packet arrives that is young enough. So data that a consumer uses is never older than the limit. (That age and
+//! not arrival counts is decided: it is what the limit promises, whatever the network does.)
 
-/// What a consumer's CONNECTION_STATUS says: one of the three states of 1756-RM093 Table 9. The fourth combination of its two
-/// bits is invalid, and cannot be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ConnectionStatus {
-    /// Data arrives from a producer in Run mode.
-    Running,
-    /// The connection is active and the producer is idle: data is 0.
+use std::collections::VecDeque;
+
+/// What a producer sends.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Sent {
+    /// It executes: the values of the tag, in the order of its declaration.
+    Run(Vec<i32>),
+    /// It is in Program mode, does not execute yet, or a recoverable fault stopped its logic: consumers are to be safe.
     Idle,
-    /// The connection is faulted, the state of the producer is not known: data is 0.
+    /// Nothing: a module that is not there, a controller whose safety task is shut down or whose partnership is lost.
+    Nothing,
+}
+
+/// What a consumer has: one of the three states of 1756-RM093 Table 9. The fourth combination of its two bits is invalid, and
+/// cannot be made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Received<'c> {
+    /// Data of a producer in Run: RunMode 1, ConnectionFaulted 0.
+    Run(&'c [i32]),
+    /// The producer is idle: data 0, RunMode 0, ConnectionFaulted 0.
+    Idle,
+    /// No packet that is young enough: data 0, RunMode 0, ConnectionFaulted 1.
     Faulted,
 }
 
-impl ConnectionStatus {
+impl Received<'_> {
     /// The bit RunMode.
-    pub fn run_mode(self) -> bool {
-        self == ConnectionStatus::Running
+    pub const fn run_mode(&self) -> bool {
+        matches!(self, Received::Run(_))
     }
 
     /// The bit ConnectionFaulted.
-    pub fn connection_faulted(self) -> bool {
-        self == ConnectionStatus::Faulted
+    pub const fn connection_faulted(&self) -> bool {
+        matches!(self, Received::Faulted)
+    }
+
+    /// A value by its position; 0 unless the producer runs.
+    pub fn value(&self, position: usize) -> i32 {
+        match self {
+            Received::Run(values) => values.get(position).copied().unwrap_or_default(),
+            Received::Idle | Received::Faulted => 0,
+        }
     }
 }
 
-/// A connection as its consumer sees it: of a module's inputs, or of a consumed tag.
+/// The times of a connection, µs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Times {
+    /// Requested packet interval, above 0.
+    pub rpi_us: u64,
+    /// Connection reaction time limit.
+    pub limit_us: u64,
+    /// How long a packet is on its way.
+    pub delay_us: u64,
+    /// When the first packet is sent.
+    pub first_us: u64,
+}
+
+#[derive(Debug, Clone)]
+struct Packet {
+    sent_us: u64,
+    /// The values; nothing where the producer is idle.
+    values: Option<Vec<i32>>,
+}
+
+/// A connection: of a module's inputs, or of a consumed tag.
 #[derive(Debug, Clone)]
 pub struct Connection {
-    rpi_us: u64,
-    limit_us: u64,
+    times: Times,
     next_us: u64,
-    last: Option<u64>,
-    running: bool,
-    data: Vec<i32>,
+    network: bool,
+    on_the_way: VecDeque<Packet>,
+    newest: Option<Packet>,
 }
 
 impl Connection {
-    /// A connection that packets use each `rpi_us`, from time 0 on, and that is faulted when none has arrived for longer than
-    /// `limit_us`. Both in µs.
-    pub fn new(rpi_us: u64, limit_us: u64) -> Connection {
-        Connection { rpi_us: rpi_us.max(1), limit_us, next_us: 0, last: None, running: false, data: Vec::new() }
+    /// Over which nothing was sent yet.
+    pub const fn new(times: Times) -> Connection {
+        Connection { times, next_us: times.first_us, network: true, on_the_way: VecDeque::new(), newest: None }
     }
 
-    /// A moment has come. Where a packet is due and the producer can be reached, it is filled by `produce` and arrives at once;
-    /// `running` is whether the producer is in Run mode.
-    pub fn pass(&mut self, now_us: u64, reachable: bool, running: bool, produce: impl FnOnce(&mut Vec<i32>)) {
-        if now_us < self.next_us {
-            return;
-        }
-        // Packets keep their grid, whatever the step of the simulation.
-        self.next_us += (now_us - self.next_us) / self.rpi_us * self.rpi_us + self.rpi_us;
-        if reachable {
-            self.last = Some(now_us);
-            self.running = running;
-            self.data.clear();
-            produce(&mut self.data);
-        }
+    /// When the next packet is due, µs.
+    pub const fn next_us(&self) -> u64 {
+        self.next_us
     }
 
-    /// The status at a time in µs.
-    pub fn status(&self, now_us: u64) -> ConnectionStatus {
-        match self.last {
-            Some(last) if now_us.saturating_sub(last) <= self.limit_us && self.running => ConnectionStatus::Running,
-            Some(last) if now_us.saturating_sub(last) <= self.limit_us => ConnectionStatus::Idle,
-            _ => ConnectionStatus::Faulted,
-        }
+    /// Whether the network carries packets from now on; one that it does not carry is lost.
+    pub const fn carry(&mut self, network: bool) {
+        self.network = network;
     }
 
-    /// A value of the last packet by its position; 0 unless the connection runs.
-    pub fn value(&self, now_us: u64, position: usize) -> i32 {
-        match self.status(now_us) {
-            ConnectionStatus::Running => self.data.get(position).copied().unwrap_or_default(),
-            ConnectionStatus::Idle | ConnectionStatus::Faulted => 0,
+    /// A moment has come, which does not go back. Where a packet is due it is sent; of several the newest. Packets keep their
+    /// grid, whatever the step of the simulation.
+    pub fn pass(&mut self, now_us: u64, produce: impl FnOnce() -> Sent) {
+        let Some(late_us) = now_us.checked_sub(self.next_us) else { return };
+        let rpi_us = self.times.rpi_us.max(1);
+        let sent_us = now_us - late_us % rpi_us;
+        self.next_us = sent_us.saturating_add(rpi_us);
+        let values = match produce() {
+            _ if !self.network => return,
+            Sent::Run(values) => Some(values),
+            Sent::Idle => None,
+            Sent::Nothing => return,
+        };
+        self.on_the_way.push_back(Packet { sent_us, values });
+    }
+
+    /// What the consumer has at `now_us`, which does not go back.
+    pub fn at(&mut self, now_us: u64) -> Received<'_> {
+        let delay_us = self.times.delay_us;
+        while let Some(packet) = self.on_the_way.pop_front_if(|next| next.sent_us.saturating_add(delay_us) <= now_us) {
+            self.newest = Some(packet);
+        }
+        self.held(now_us)
+    }
+
+    /// What the consumer has at the moment, or later, at which it was last asked what arrived.
+    pub fn held(&self, now_us: u64) -> Received<'_> {
+        match &self.newest {
+            Some(packet) if now_us.saturating_sub(packet.sent_us) <= self.times.limit_us => match &packet.values {
+                Some(values) => Received::Run(values),
+                None => Received::Idle,
+            },
+            _ => Received::Faulted,
         }
     }
 }

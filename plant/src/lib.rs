@@ -27,7 +27,7 @@ pub mod station;
 pub mod stimulus;
 pub mod wiring;
 
-pub use connection::{Connection, ConnectionStatus};
+pub use connection::{Connection, Received, Sent, Times};
 pub use device::Device;
 pub use member::{Command, Reading};
 pub use settings::{ModuleSettings, PointSettings};

@@ -1,6 +1,6 @@
 //! A module with its two connections, and all modules of a project together.
 
-use crate::connection::{Connection, ConnectionStatus};
+use crate::connection::{Connection, Received, Sent, Times};
 use crate::device::{Device, model};
 use crate::member::{Command, Reading};
 use crate::settings::ModuleSettings;
@@ -28,13 +28,14 @@ impl Station {
     pub fn new(settings: &ModuleSettings, readings: Vec<Reading>, commands: Vec<Command>) -> Option<Station> {
         let mut device = model(settings)?;
         device.power_up(0);
+        let (rpi_us, limit_us) = (settings.input_rpi_us, settings.input_limit_us);
         Some(Station {
             device,
             readings,
             commands,
             present: true,
             running: true,
-            input: Connection::new(settings.input_rpi_us, settings.input_limit_us),
+            input: Connection::new(Times { rpi_us, limit_us, delay_us: 0, first_us: 0 }),
             output_limit_us: settings.output_limit_us,
             last_output_us: None,
             now_us: 0,
@@ -93,24 +94,27 @@ impl Station {
             }
             self.device.step(now_ms);
         }
-        let Station { device, readings, .. } = self;
-        self.input.pass(self.now_us, self.present, self.running, |data| {
-            data.extend(readings.iter().map(|reading| device.read(*reading)));
+        let Station { device, readings, present, running, .. } = self;
+        self.input.pass(self.now_us, || match (present, running) {
+            (false, _) => Sent::Nothing,
+            (true, false) => Sent::Idle,
+            (true, true) => Sent::Run(readings.iter().map(|reading| device.read(*reading)).collect()),
         });
+        self.input.at(self.now_us);
     }
 
-    /// The status of the connection that the tag comes on.
-    pub fn status(&self) -> ConnectionStatus {
-        self.input.status(self.now_us)
+    /// What the controller has of the input tag now.
+    fn received(&self) -> Received<'_> {
+        self.input.held(self.now_us)
     }
 
     /// The members of the input tag as the controller has them now, in order.
     pub fn values(&self) -> impl Iterator<Item = i32> + '_ {
-        let status = self.status();
+        let received = self.received();
         self.readings.iter().enumerate().map(move |(position, reading)| match reading {
-            Reading::RunMode => i32::from(status.run_mode()),
-            Reading::ConnectionFaulted => i32::from(status.connection_faulted()),
-            _ => self.input.value(self.now_us, position),
+            Reading::RunMode => i32::from(received.run_mode()),
+            Reading::ConnectionFaulted => i32::from(received.connection_faulted()),
+            _ => received.value(position),
         })
     }
 

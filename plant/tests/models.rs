@@ -14,5 +14,7 @@ mod support;
 mod table_3;
 #[path = "models/table_4.rs"]
 mod table_4;
+#[path = "models/table_9.rs"]
+mod table_9;
 #[path = "models/wiring_faults.rs"]
 mod wiring_faults;

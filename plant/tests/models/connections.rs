@@ -1,67 +1,8 @@
-//! Table 9 of 1756-RM093 and what a connection does in time. REQ-PLANT-001 to REQ-PLANT-004
+//! What modules do when their connections are lost, and when they are idle. REQ-PLANT-003 to REQ-PLANT-005
 
-use twinrung_plant::{Command, Connection, ConnectionStatus, ModuleSettings, Plant, Reading, Station, Stimulus};
+use twinrung_plant::{Command, ModuleSettings, Plant, Reading, Station, Stimulus};
 
 use super::support::{at, contact};
-
-/// RPI and limit of the manual's example, µs.
-const RPI_US: u64 = 10_000;
-const LIMIT_US: u64 = 40_064;
-
-/// Whether the producer is reached, whether it runs; the two bits, and whether data arrives. Table 9, row by row.
-const TABLE: [(bool, bool, (bool, bool), i32); 4] = [
-    (true, true, (true, false), 7),
-    (true, false, (false, false), 0),
-    (false, true, (false, true), 0),
-    (false, false, (false, true), 0),
-];
-
-/// The fourth row of the table, both bits on, is an invalid state: [`ConnectionStatus`] has no such value.
-/// REQ-PLANT-001
-#[test]
-fn connection_when_its_producer_runs_idles_or_is_lost_then_status_and_data_are_those_of_the_table() {
-    for (reached, running, bits, data) in TABLE {
-        let mut connection = Connection::new(RPI_US, LIMIT_US);
-        connection.pass(0, reached, running, |packet| packet.push(7));
-        let status = connection.status(0);
-        assert_eq!((status.run_mode(), status.connection_faulted()), bits, "{reached} {running}");
-        assert_eq!(connection.value(0, 0), data, "{reached} {running}");
-    }
-}
-
-/// REQ-PLANT-001
-#[test]
-fn status_when_all_its_values_are_listed_then_none_has_both_bits() {
-    let all = [ConnectionStatus::Running, ConnectionStatus::Idle, ConnectionStatus::Faulted];
-    assert!(!all.iter().any(|status| status.run_mode() && status.connection_faulted()));
-}
-
-/// REQ-PLANT-002
-#[test]
-fn connection_when_packets_stay_away_then_it_is_faulted_after_its_limit_and_not_before() {
-    let mut connection = Connection::new(RPI_US, LIMIT_US);
-    connection.pass(0, true, true, |packet| packet.push(7));
-    connection.pass(10_000, false, true, |_| {});
-    assert_eq!(connection.status(LIMIT_US), ConnectionStatus::Running);
-    assert_eq!(connection.value(LIMIT_US, 0), 7);
-    assert_eq!(connection.status(LIMIT_US + 1), ConnectionStatus::Faulted);
-    connection.pass(50_000, true, true, |packet| packet.push(8));
-    assert_eq!((connection.status(50_000), connection.value(50_000, 0)), (ConnectionStatus::Running, 8));
-}
-
-/// A consumed tag shows the last packet, whatever happens between two. REQ-PLANT-002
-#[test]
-fn connection_when_data_changes_between_packets_then_the_consumer_sees_it_with_the_next() {
-    let mut connection = Connection::new(RPI_US, LIMIT_US);
-    let seen: Vec<i32> = (0..25)
-        .map(|ms: i32| {
-            let now_us = u64::from(ms.unsigned_abs()) * 1000;
-            connection.pass(now_us, true, true, |packet| packet.push(ms));
-            connection.value(now_us, 0)
-        })
-        .collect();
-    assert_eq!((seen[9], seen[10], seen[19], seen[24]), (0, 10, 10, 20));
-}
 
 fn inputs() -> Plant {
     let settings = ModuleSettings::new("1734-IB8S").point(at("I0"), &[("Mode", "SAFETY")]);

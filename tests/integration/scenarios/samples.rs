@@ -74,7 +74,7 @@ pub fn moved_at_random(project: &str) -> (u64, u64) {
         power_up: twinrung_grammar::tree::scenario::Mode::Run,
         actions,
         expectations: Vec::new(),
-        at_terminals: false,
+        sites: std::sync::Arc::default(),
         end_ms: SCANS * period_ms,
     };
     let mut coverage = Coverage::new(image);

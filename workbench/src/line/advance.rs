@@ -2,9 +2,9 @@
 
 use twinrung_bytecode::channel::Channel;
 use twinrung_controller::Mode;
+use twinrung_plant::Received;
 
 use super::event::{Event, Target};
-use super::link::Received;
 use super::{Line, LineError};
 use crate::names;
 use crate::recording::{Recording, Row};
@@ -75,10 +75,10 @@ impl<A: Channel, B: Channel> Line<A, B> {
     }
 
     fn send(&mut self, now_us: u64) {
-        for joint in self.joints.iter_mut().filter(|joint| joint.link.next_us() <= now_us) {
+        for joint in &mut self.joints {
             let (member, tag) = joint.producer;
             if let Some(produced) = self.members.get_mut(member).and_then(|member| member.produced.get_mut(tag)) {
-                joint.link.send(produced.at(now_us));
+                joint.link.pass(now_us, || produced.at(now_us).clone());
             }
         }
     }

@@ -5,8 +5,8 @@ use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::image::TagKind;
 use twinrung_bytecode::index::TagIndex;
 use twinrung_controller::Controller;
+use twinrung_plant::Received;
 
-use super::link::Received;
 use crate::names;
 use crate::signal::Signal;
 
@@ -63,18 +63,16 @@ impl Shape {
 
     /// Sets a consumed tag to what was received.
     pub(super) fn receive<A: Channel, B: Channel>(&self, received: Received<'_>, controller: &mut Controller<A, B>) {
-        let (run, faulted) = received.status();
         let mut set = |signal: Signal, value: i32| match signal {
             Signal::Bit(cell) => controller.drive_bit(cell, value == 1),
             Signal::Word(cell, _) => controller.drive_word(cell, value),
             _ => {}
         };
-        for (signal, value) in self.status.into_iter().zip([run, faulted]) {
+        for (signal, value) in self.status.into_iter().zip([received.run_mode(), received.connection_faulted()]) {
             set(signal, i32::from(value));
         }
-        let values = if let Received::Run(values) = received { values } else { &[] };
         for (position, signal) in self.data.iter().enumerate() {
-            set(*signal, values.get(position).copied().unwrap_or_default());
+            set(*signal, received.value(position));
         }
     }
 }

@@ -6,9 +6,9 @@ use twinrung_bytecode::AdmittedImage;
 use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::observer::Silent;
 use twinrung_controller::{Controller, Mode, Simulated, StopReason};
+use twinrung_plant::Sent;
 
 use super::copy::Shape;
-use super::link::Sent;
 use crate::drive::Drive;
 use crate::run::{RunError, powered_up};
 

@@ -8,7 +8,6 @@
 mod advance;
 mod copy;
 mod event;
-pub mod link;
 mod member;
 
 use std::fmt;
@@ -17,10 +16,10 @@ use twinrung_bytecode::channel::Channel;
 use twinrung_bytecode::image::{TagKind, TagRecord};
 use twinrung_bytecode::index::TagIndex;
 use twinrung_controller::{Controller, StopReason};
+use twinrung_plant::Times;
 
 use copy::{Shape, connected};
 use event::{Event, Target, events};
-use link::{Link, Times};
 use member::{Member, Produced};
 
 pub use member::Joining;
@@ -76,7 +75,7 @@ impl std::error::Error for LineError {}
 
 /// A consumed tag whose producer takes part.
 struct Joint {
-    link: Link,
+    link: twinrung_plant::Connection,
     /// The producing member, and which of its produced tags it is.
     producer: (usize, usize),
     consumer: usize,
@@ -137,7 +136,7 @@ impl<A: Channel, B: Channel> Line<A, B> {
                 let list = &mut members[producer].produced;
                 list.push(Produced::new(sending));
                 let producer = (producer, list.len() - 1);
-                joints.push(Joint { link: Link::new(times), producer, consumer, consumed, name });
+                joints.push(Joint { link: twinrung_plant::Connection::new(times), producer, consumer, consumed, name });
             }
         }
         Ok(Line { members, joints, alone, events: Vec::new(), signals: Vec::new(), recording: Recording::default() })

@@ -17,6 +17,45 @@ pub(crate) enum Direction {
     Out,
 }
 
+impl Direction {
+    /// Whether a module's connection of this type carries safety data this way. A type ends with a number where there are several.
+    pub(crate) fn carries(self, connection_type: &str) -> bool {
+        let begins = match self {
+            Direction::In => "safetyinput",
+            Direction::Out => "safetyoutput",
+        };
+        connection_type.to_ascii_lowercase().starts_with(begins)
+    }
+}
+
+/// What a project shows of a connection: nothing for what it does not show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Shown {
+    /// Requested packet interval, µs.
+    pub rpi_us: Option<u64>,
+    /// Timeout multiplier.
+    pub timeouts: Option<u32>,
+    /// Network delay multiplier, percent.
+    pub delay_percent: Option<u32>,
+    /// Connection reaction time limit, µs.
+    pub limit_us: Option<u64>,
+}
+
+impl Shown {
+    fn of_module(module: &Module, direction: Direction) -> Shown {
+        let carries = |kind: &twinrung_grammar::tree::Text| direction.carries(kind.as_str());
+        let Some(one) = module.connections.iter().find(|one| one.connection_type.as_ref().is_some_and(carries)) else {
+            return Shown::default();
+        };
+        Shown {
+            rpi_us: one.rpi_us.map(|rpi| rpi.value),
+            timeouts: one.timeout_multiplier.map(|multiplier| multiplier.value),
+            delay_percent: one.network_delay_multiplier.map(|multiplier| multiplier.value),
+            limit_us: one.reaction_time_limit_us.map(|limit| limit.value),
+        }
+    }
+}
+
 /// The parameters of a connection, and what follows from them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Connection {
@@ -34,24 +73,33 @@ pub struct Connection {
 impl Connection {
     /// The connection of a module's safety inputs.
     pub fn of_inputs(module: &Module) -> Connection {
-        Connection::of_module(module, Direction::In, "safetyinput", module.rpi_us.map(|rpi| rpi.value))
+        Connection::inputs(Shown::of_module(module, Direction::In), module.rpi_us.map(|rpi| rpi.value))
     }
 
     /// The connection of a module's safety outputs, in a task with this period.
     pub fn of_outputs(module: &Module, period_us: u64) -> Connection {
-        Connection {
-            rpi_us: period_us,
-            ..Connection::of_module(module, Direction::Out, "safetyoutput", Some(period_us))
-        }
+        Connection::outputs(Shown::of_module(module, Direction::Out), period_us)
+    }
+
+    /// Of safety inputs, where the connection itself or else the module shows the interval.
+    pub(crate) fn inputs(shown: Shown, module_rpi_us: Option<u64>) -> Connection {
+        Connection::new(Direction::In, Shown { rpi_us: shown.rpi_us.or(module_rpi_us), ..shown })
+    }
+
+    /// Of safety outputs: packets follow the safety task, whatever interval is shown.
+    pub(crate) fn outputs(shown: Shown, period_us: u64) -> Connection {
+        Connection::new(Direction::Out, Shown { rpi_us: Some(period_us), ..shown })
     }
 
     /// The connection of a consumed tag.
     pub fn of_consumed(info: Option<&ConsumeInfo>) -> Connection {
-        let rpi_us = info.and_then(|info| info.rpi_us).map(|rpi| rpi.value);
-        let timeouts = info.and_then(|info| info.timeout_multiplier).map(|one| one.value);
-        let delay = info.and_then(|info| info.network_delay_multiplier).map(|one| one.value);
-        let limit = info.and_then(|info| info.reaction_time_limit_us).map(|one| one.value);
-        Connection::new(Direction::In, rpi_us, timeouts, delay, limit)
+        let shown = info.map_or_else(Shown::default, |info| Shown {
+            rpi_us: info.rpi_us.map(|rpi| rpi.value),
+            timeouts: info.timeout_multiplier.map(|one| one.value),
+            delay_percent: info.network_delay_multiplier.map(|one| one.value),
+            limit_us: info.reaction_time_limit_us.map(|one| one.value),
+        });
+        Connection::new(Direction::In, shown)
     }
 
     /// The connection of a consumed tag of an image.
@@ -61,8 +109,13 @@ impl Connection {
             value.and_then(|text| text.parse::<u64>().ok())
         };
         let count = |key: &str| number(key).and_then(|value| u32::try_from(value).ok());
-        let (timeouts, delay) = (count("TimeoutMultiplier"), count("NetworkDelayMultiplier"));
-        Connection::new(Direction::In, number("RPI_us"), timeouts, delay, number("ReactionTimeLimit_us"))
+        let shown = Shown {
+            rpi_us: number("RPI_us"),
+            timeouts: count("TimeoutMultiplier"),
+            delay_percent: count("NetworkDelayMultiplier"),
+            limit_us: number("ReactionTimeLimit_us"),
+        };
+        Connection::new(Direction::In, shown)
     }
 
     /// The requested packet interval in µs.
@@ -70,34 +123,16 @@ impl Connection {
         self.rpi_us
     }
 
-    fn of_module(module: &Module, direction: Direction, kind: &str, rpi_us: Option<u64>) -> Connection {
-        let is_of_kind = |text: &str| text.to_ascii_lowercase().starts_with(kind);
-        let shown = module
-            .connections
-            .iter()
-            .find(|one| one.connection_type.as_ref().is_some_and(|own| is_of_kind(own.as_str())));
-        let rpi_us = shown.and_then(|one| one.rpi_us).map(|rpi| rpi.value).or(rpi_us);
-        let timeouts = shown.and_then(|one| one.timeout_multiplier).map(|one| one.value);
-        let delay = shown.and_then(|one| one.network_delay_multiplier).map(|one| one.value);
-        let limit = shown.and_then(|one| one.reaction_time_limit_us).map(|one| one.value);
-        Connection::new(direction, rpi_us, timeouts, delay, limit)
-    }
-
-    /// From what a project says; the defaults hold where it says nothing. Times in µs, the delay in percent.
-    pub(crate) fn new(
-        direction: Direction,
-        rpi_us: Option<u64>,
-        timeouts: Option<u32>,
-        delay: Option<u32>,
-        exported_us: Option<u64>,
-    ) -> Connection {
+    /// From what a project shows; the defaults hold where it shows nothing.
+    fn new(direction: Direction, shown: Shown) -> Connection {
+        let Shown { rpi_us, timeouts, delay_percent, limit_us } = shown;
         Connection {
             direction,
             rpi_us: rpi_us.unwrap_or(INPUT_RPI_US),
             timeout_multiplier: timeouts.unwrap_or(TIMEOUT_MULTIPLIER),
-            network_delay_percent: delay.unwrap_or(NETWORK_DELAY_MULTIPLIER),
-            exported_us,
-            is_declared: rpi_us.is_some() && timeouts.is_some() && delay.is_some(),
+            network_delay_percent: delay_percent.unwrap_or(NETWORK_DELAY_MULTIPLIER),
+            exported_us: limit_us,
+            is_declared: rpi_us.is_some() && timeouts.is_some() && delay_percent.is_some(),
         }
     }
 
@@ -128,7 +163,8 @@ mod tests {
     use super::*;
 
     fn limit(direction: Direction, rpi_us: u64, timeouts: u32, delay: u32) -> u64 {
-        Connection::new(direction, Some(rpi_us), Some(timeouts), Some(delay), None).limit_us()
+        let (rpi_us, timeouts, delay_percent) = (Some(rpi_us), Some(timeouts), Some(delay));
+        Connection::new(direction, Shown { rpi_us, timeouts, delay_percent, limit_us: None }).limit_us()
     }
 
     /// 1734-UM013, Configure Safety Connections: 10 ms give 40.1 ms, 20 ms of period give 60.0 ms; exports write 40.064 and 60.
@@ -146,7 +182,10 @@ mod tests {
 
     #[test]
     fn limit_when_the_export_shows_a_greater_one_then_that_counts() {
-        let connection = |exported| Connection::new(Direction::In, Some(10_000), None, None, Some(exported)).limit_us();
+        let connection = |exported| {
+            let shown = Shown { rpi_us: Some(10_000), limit_us: Some(exported), ..Shown::default() };
+            Connection::new(Direction::In, shown).limit_us()
+        };
         assert_eq!(connection(50_048), 50_048);
         assert_eq!(connection(39_936), 40_064);
     }

@@ -18,10 +18,13 @@ pub use play::{Failure, Played, play};
 pub use suite::Suite;
 pub use why::{Decision, Picture, picture};
 
+use std::sync::Arc;
+
 use twinrung_grammar::tree::Span;
 use twinrung_grammar::tree::scenario::Mode;
 
 use crate::signal::Signal;
+use crate::site::Site;
 use twinrung_plant::Stimulus;
 use value::Check;
 
@@ -38,8 +41,8 @@ pub struct Scenario {
     pub actions: Vec<Action>,
     /// What is expected.
     pub expectations: Vec<Expectation>,
-    /// Whether modules are simulated, and their tags follow their terminals.
-    pub at_terminals: bool,
+    /// The modules that are simulated, whose tags follow their terminals; none where the scenario is not played at terminals.
+    pub sites: Arc<[Site]>,
     /// Time of the last scan in ms.
     pub end_ms: u64,
 }

@@ -1,5 +1,7 @@
 //! From a scenario file to scenarios that can be played: blocks put in front of each other, names, values and times looked up.
 
+use std::sync::Arc;
+
 use twinrung_bytecode::AdmittedImage;
 use twinrung_compiler::diagnostic::{Finding, SCENARIO_BLOCK, SCENARIO_TERMINAL, SCENARIO_TIME, SCENARIO_VALUE};
 use twinrung_grammar::tree::scenario::{Block, BlockKind, Literal, Never, ScenarioFile, ScenarioItem};
@@ -41,7 +43,7 @@ pub fn plan(image: &AdmittedImage, file: &ScenarioFile) -> (Plan, Vec<Finding>) 
     let mut findings = Vec::new();
     let mut plan = Plan::default();
     let blocks = Blocks::new(file, &mut findings);
-    let sites = sites(image);
+    let sites: Arc<[Site]> = sites(image).into();
     let mut everywhere: Vec<Everywhere<'_>> = Vec::new();
     for item in &file.items {
         match item {
@@ -110,7 +112,7 @@ fn exclude(plan: &mut Plan, item: &Text, reason: &Text, findings: &mut Vec<Findi
 
 /// Whether a scenario is played at terminals, and the scenario, where nothing is wrong with it.
 fn scenario(
-    (image, sites): (&AdmittedImage, &[Site]),
+    (image, sites): (&AdmittedImage, &Arc<[Site]>),
     blocks: &Blocks<'_>,
     block: &Block,
     everywhere: &[Everywhere<'_>],
@@ -163,7 +165,7 @@ fn scenario(
         power_up,
         actions,
         expectations,
-        at_terminals,
+        sites: if at_terminals { Arc::clone(sites) } else { Arc::default() },
         end_ms,
     };
     (at_terminals, Some(scenario))

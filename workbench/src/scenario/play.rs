@@ -17,7 +17,7 @@ use crate::RunError;
 use crate::coverage::{Coverage, Watch};
 use crate::drive::cells;
 use crate::signal::{ReadSignal, Signal, Value};
-use crate::site::{Site, plant, sites};
+use crate::site::plant;
 
 /// What came of a scenario.
 #[derive(Debug, Clone)]
@@ -62,7 +62,6 @@ pub(super) struct Stage<'s, A: Channel, B: Channel> {
     words: Vec<i32>,
     next: usize,
     /// The simulated modules, where the scenario is played at their terminals.
-    sites: Vec<Site>,
     plant: Plant,
     /// The period in ms.
     pub period_ms: u64,
@@ -90,7 +89,6 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
                 frozen.push(range);
             }
         }
-        let sites = if scenario.at_terminals { sites(image) } else { Vec::new() };
         let records = image.image();
         Ok(Stage {
             controller,
@@ -99,8 +97,7 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
             bits: records.initial_bits.iter().map(|bit| *bit == 1).collect(),
             words: records.initial_words.clone(),
             next: 0,
-            plant: plant(&sites),
-            sites,
+            plant: plant(&scenario.sites),
             period_ms: u64::from(period_us / 1000),
         })
     }
@@ -129,25 +126,24 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
 
     /// The tags of simulated modules get what arrived from them up to a time in ms.
     fn follow_terminals(&mut self, time_ms: u64) {
-        if self.sites.is_empty() {
+        let scenario = self.scenario;
+        if scenario.sites.is_empty() {
             return;
         }
         self.plant.through(time_ms);
-        let sites = std::mem::take(&mut self.sites);
-        for (position, site) in sites.iter().enumerate() {
+        for (position, site) in scenario.sites.iter().enumerate() {
             let values: Vec<i32> =
                 self.plant.stations().get(position).map_or_else(Vec::new, |one| one.values().collect());
             for ((_, signal), content) in site.inputs.iter().zip(values) {
                 self.drive(*signal, content);
             }
         }
-        self.sites = sites;
     }
 
     /// Simulated modules get what the scan has published: an output connection carries a packet for each period.
     fn command_modules(&mut self) {
-        let Stage { sites, plant, controller, .. } = self;
-        for (position, site) in sites.iter().enumerate() {
+        let Stage { scenario, plant, controller, .. } = self;
+        for (position, site) in scenario.sites.iter().enumerate() {
             if let Some(station) = plant.station_mut(position).filter(|_| !site.outputs.is_empty()) {
                 station.receive(site.outputs.iter().map(|signal| signal.read(controller).is_true()));
             }

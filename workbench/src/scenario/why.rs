@@ -16,7 +16,6 @@ use crate::coverage::{Coverage, RungId, Watch};
 use crate::names;
 use crate::recording::{Recording, Row};
 use crate::signal::{ReadSignal, Signal};
-use crate::site::sites;
 
 /// What a report shows beside a failure.
 #[derive(Debug, Clone)]
@@ -151,7 +150,6 @@ fn signals(
     decision: Option<&Decision>,
     looked_at: &[(String, Signal)],
 ) -> Vec<(String, Signal)> {
-    let sites = if scenario.at_terminals { sites(image) } else { Vec::new() };
     let mut found: Vec<(String, Signal)> = Vec::new();
     let mut add = |name: &str, signal: Signal| {
         if found.iter().all(|(other, at)| *at != signal && !other.eq_ignore_ascii_case(name)) {
@@ -162,7 +160,7 @@ fn signals(
         match &action.change {
             Change::Drive { name, signal, .. } => add(name, *signal),
             Change::Plant { module, stimulus: Stimulus::Signal(at, _) | Stimulus::Fault(at, _) } => {
-                if let Some((name, signal)) = sites.get(*module).and_then(|site| site.data_of(*at)) {
+                if let Some((name, signal)) = scenario.sites.get(*module).and_then(|site| site.data_of(*at)) {
                     add(name, *signal);
                 }
             }

@@ -2,7 +2,7 @@
 
 use twinrung_plant::{ModuleSettings, PointSettings, Terminal};
 
-use crate::reaction::connection::{Connection, Direction};
+use crate::reaction::connection::{Connection, Direction, Shown};
 
 /// The lines of a declaration.
 pub struct Declaration<'t> {
@@ -25,8 +25,9 @@ impl<'t> Declaration<'t> {
 
     /// What a model needs to know, in a task with this period in µs.
     pub fn settings(&self, period_us: u64) -> Option<ModuleSettings> {
-        let input = self.connection(Direction::In, "safetyinput", None);
-        let output = self.connection(Direction::Out, "safetyoutput", Some(period_us));
+        let rpi_us = self.one("RPI_us").and_then(|text| text.parse().ok());
+        let input = Connection::inputs(self.shown(Direction::In), rpi_us);
+        let output = Connection::outputs(self.shown(Direction::Out), period_us);
         let points = self.all("Point").filter_map(|line| {
             let mut words = line.split(' ');
             let terminal = Terminal::parse(words.next()?)?;
@@ -41,21 +42,25 @@ impl<'t> Declaration<'t> {
         })
     }
 
-    /// The connection of a kind: as an export shows it, or with the interval of the module.
-    fn connection(&self, direction: Direction, kind: &str, rpi_us: Option<u64>) -> Connection {
-        let shown = self.all("Connection").find_map(|line| {
-            let words: Vec<&str> = line.split(' ').collect();
-            words.iter().any(|word| word.to_ascii_lowercase().starts_with(kind)).then_some(words)
-        });
+    /// What an export shows of a connection: `NAME TYPE rpi_us 10000 timeout 2 delay 200 limit_us -`, where a name may have
+    /// blanks.
+    fn shown(&self, direction: Direction) -> Shown {
+        const BEHIND_TYPE: usize = 8;
+        let mut lines = self.all("Connection").map(|line| line.split(' ').collect::<Vec<&str>>());
+        let is_it = |words: &Vec<&str>| words.iter().rev().nth(BEHIND_TYPE).is_some_and(|kind| direction.carries(kind));
+        let Some(words) = lines.find(is_it) else { return Shown::default() };
+        let values = words.get(words.len() - BEHIND_TYPE..).unwrap_or_default();
         let number = |key: &str| -> Option<u64> {
-            let words = shown.as_ref()?;
-            let at = words.iter().position(|word| *word == key)?;
-            words.get(at + 1)?.parse().ok()
+            let [_, value] = values.chunks_exact(2).find(|pair| pair.first() == Some(&key))? else { return None };
+            value.parse().ok()
         };
-        let small = |key: &str| number(key).and_then(|value| u32::try_from(value).ok());
-        let own = || self.one("RPI_us").and_then(|text| text.parse().ok());
-        let rpi_us = rpi_us.or_else(|| number("rpi_us")).or_else(own);
-        Connection::new(direction, rpi_us, small("timeout"), small("delay"), number("limit_us"))
+        let count = |key: &str| number(key).and_then(|value| u32::try_from(value).ok());
+        Shown {
+            rpi_us: number("rpi_us"),
+            timeouts: count("timeout"),
+            delay_percent: count("delay"),
+            limit_us: number("limit_us"),
+        }
     }
 
     /// Whether a tag is of this module: `Doors:I` by the module's name, `Rack:1:I` by its place.
@@ -83,6 +88,17 @@ mod tests {
         assert_eq!((settings.input_rpi_us, settings.input_limit_us), (20_000, 80_000));
         assert_eq!(settings.output_limit_us, 90_112);
         assert!(settings.of(Terminal::new('I', 0)).has("TestSource", "T0"));
+    }
+
+    /// A name is no type, whatever it is called.
+    #[test]
+    fn connection_when_only_its_name_is_that_of_a_type_then_it_is_another_one() {
+        let named = EXPORTED.replace(
+            "Connection := ",
+            "Connection := SafetyInput rpi_us Output rpi_us 5000 timeout 1 delay 100 limit_us -\nConnection := ",
+        );
+        let settings = Declaration::read(&named).settings(30_000).unwrap();
+        assert_eq!((settings.input_rpi_us, settings.input_limit_us), (20_000, 80_000));
     }
 
     #[test]
