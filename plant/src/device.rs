@@ -83,10 +83,21 @@ pub(crate) fn not_itself(stimulus: &Stimulus) -> Result<(), Refusal> {
     }
 }
 
-/// A device that is on or off, where it may be one.
-pub(crate) fn contact(terminal: Terminal, signal: Signal) -> Result<bool, Refusal> {
+/// An error inside the module, where no source tells what it does: all but the points with `letter`.
+pub(crate) fn inside_only(stimulus: &Stimulus, letter: Option<char>) -> Result<(), Refusal> {
+    match stimulus {
+        Stimulus::Fault(terminal, crate::Fault::Inside) if Some(terminal.letter) != letter => {
+            Err(Refusal::NotInside(*terminal))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A device that is on or off, where it may be one; nothing for contacts that follow an output, which the plant moves.
+pub(crate) fn contact(terminal: Terminal, signal: Signal) -> Result<Option<bool>, Refusal> {
     match signal {
-        Signal::Contact(closed) => Ok(closed),
+        Signal::Contact(closed) => Ok(Some(closed)),
+        Signal::Follows(_) => Ok(None),
         Signal::Amount(_) => Err(Refusal::NotAnAmount(terminal)),
     }
 }

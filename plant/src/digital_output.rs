@@ -212,6 +212,7 @@ impl Device for DigitalOutput {
         if let Stimulus::Signal(terminal, _) = stimulus {
             return Err(Refusal::NoDevice(*terminal));
         }
+        device::inside_only(stimulus, None)?;
         device::not_itself(stimulus)
     }
 

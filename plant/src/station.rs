@@ -2,9 +2,10 @@
 
 use crate::connection::{Connection, Received, Sent, Times};
 use crate::device::{Device, model};
+use crate::followers::Followers;
 use crate::member::{Command, Reading};
 use crate::settings::ModuleSettings;
-use crate::stimulus::{Refusal, Stimulus, Terminal};
+use crate::stimulus::{Refusal, Signal, Stimulus, Terminal};
 
 /// µs of one look at the terminals.
 pub(crate) const STEP_US: u64 = 1000;
@@ -119,7 +120,7 @@ impl Station {
     }
 
     /// A packet with commands from the controller arrives: the values of the output tag in order.
-    pub fn receive(&mut self, values: impl Iterator<Item = bool>) {
+    fn receive(&mut self, values: impl Iterator<Item = bool>) {
         if !self.present {
             return;
         }
@@ -136,13 +137,14 @@ impl Station {
 #[derive(Default)]
 pub struct Plant {
     stations: Vec<Station>,
+    followers: Followers,
     next_ms: u64,
 }
 
 impl Plant {
     /// Modules at power-up, with nothing closed and nothing broken.
     pub fn new(stations: Vec<Station>) -> Plant {
-        Plant { stations, next_ms: 0 }
+        Plant { stations, followers: Followers::default(), next_ms: 0 }
     }
 
     /// The modules, in the order in which they were given.
@@ -150,9 +152,12 @@ impl Plant {
         &self.stations
     }
 
-    /// A module by its position.
-    pub fn station_mut(&mut self, position: usize) -> Option<&mut Station> {
-        self.stations.get_mut(position)
+    /// A packet with commands arrives at a module after its last look at the terminals: the values of its output tag in order.
+    pub fn receive(&mut self, position: usize, values: impl Iterator<Item = bool>) {
+        if let Some(station) = self.stations.get_mut(position) {
+            station.receive(values);
+        }
+        self.look_at_outputs(self.next_ms.saturating_sub(1));
     }
 
     /// Something happens to a module at a time in ms: its look at the terminals at that time sees it.
@@ -160,7 +165,11 @@ impl Plant {
         while self.next_ms < at_ms {
             self.step();
         }
-        if let Some(station) = self.stations.get_mut(position) {
+        let Plant { stations, followers, .. } = self;
+        if let Stimulus::Signal(terminal, signal) = stimulus {
+            followers.apply(position, *terminal, signal, |module, output| is_high(stations, module, output));
+        }
+        if let Some(station) = stations.get_mut(position) {
             station.apply(stimulus, at_ms);
         }
     }
@@ -173,9 +182,27 @@ impl Plant {
     }
 
     fn step(&mut self) {
-        for station in &mut self.stations {
+        self.look_at_outputs(self.next_ms);
+        let Plant { stations, followers, .. } = self;
+        for (position, terminal, closed) in followers.moved() {
+            if let Some(station) = stations.get_mut(position) {
+                station.apply(&Stimulus::Signal(terminal, Signal::Contact(closed)), self.next_ms);
+            }
+        }
+        for station in stations {
             station.step(self.next_ms);
         }
+        self.look_at_outputs(self.next_ms);
         self.next_ms += 1;
     }
+
+    /// What follows an output sees it as it stands now.
+    fn look_at_outputs(&mut self, now_ms: u64) {
+        let Plant { stations, followers, .. } = self;
+        followers.look(now_ms, |module, output| is_high(stations, module, output));
+    }
+}
+
+fn is_high(stations: &[Station], module: usize, output: Terminal) -> bool {
+    stations.get(module).and_then(|station| station.is_high(output)).unwrap_or_default()
 }

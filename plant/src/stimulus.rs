@@ -31,6 +31,51 @@ impl fmt::Display for Terminal {
     }
 }
 
+/// Auxiliary contacts in series at one terminal, at most.
+pub const SERIES_MAX: usize = 4;
+
+/// An auxiliary contact of a contactor or relay: it moves with the output that switches it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AuxiliaryContact {
+    /// The module of the output, by its position in the plant.
+    pub module: usize,
+    /// The output.
+    pub output: Terminal,
+    /// Whether it is closed while the output is off: a mirror contact.
+    pub inverted: bool,
+    /// How long it takes to move, either way, ms.
+    pub delay_ms: u64,
+}
+
+impl AuxiliaryContact {
+    /// Whether it is to be closed while its output is on, or off.
+    pub(crate) fn wants(&self, high: bool) -> bool {
+        high != self.inverted
+    }
+}
+
+/// Auxiliary contacts in series: closed while each of them is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Series {
+    contacts: [Option<AuxiliaryContact>; SERIES_MAX],
+}
+
+impl Series {
+    /// Nothing for more than [`SERIES_MAX`] contacts.
+    pub fn new(list: &[AuxiliaryContact]) -> Option<Series> {
+        let mut contacts = [None; SERIES_MAX];
+        for (position, contact) in list.iter().enumerate() {
+            *contacts.get_mut(position)? = Some(*contact);
+        }
+        Some(Series { contacts })
+    }
+
+    /// The contacts.
+    pub fn contacts(&self) -> impl Iterator<Item = &AuxiliaryContact> {
+        self.contacts.iter().flatten()
+    }
+}
+
 /// What a device does at its terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Signal {
@@ -38,9 +83,11 @@ pub enum Signal {
     Contact(bool),
     /// A voltage in mV, a current in µA or a frequency in mHz, as the range of the channel says.
     Amount(i64),
+    /// Contacts move with outputs from now on. Another signal at the terminal ends that: the contact is welded, or stuck.
+    Follows(Series),
 }
 
-/// What is wrong with the wire at a terminal.
+/// What is wrong with the wire at a terminal, or behind it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// It touches 24 V.
@@ -51,6 +98,8 @@ pub enum Fault {
     To(Terminal),
     /// It is broken, or the lamp or sensor at its end is burnt out.
     Open,
+    /// The module finds an error of its own circuit at this terminal.
+    Inside,
 }
 
 /// Something that happens to a module.
@@ -91,6 +140,8 @@ pub enum Refusal {
     Itself(Terminal),
     /// The sensors at two channels give different quantities: what both give together is not modelled.
     OtherQuantity(Terminal),
+    /// No source tells what an error inside the module does there.
+    NotInside(Terminal),
 }
 
 impl fmt::Display for Refusal {
@@ -103,6 +154,9 @@ impl fmt::Display for Refusal {
             Refusal::NotAContact(terminal) => write!(f, "{terminal} takes a number"),
             Refusal::Beyond(terminal) => write!(f, "{terminal} cannot have so much, or so little"),
             Refusal::Itself(terminal) => write!(f, "the wire at {terminal} cannot touch itself"),
+            Refusal::NotInside(terminal) => {
+                write!(f, "no source tells what the module shows when its own circuit at {terminal} fails")
+            }
             Refusal::OtherQuantity(terminal) => {
                 write!(f, "{terminal} measures another quantity: what two such sensors give together is not simulated")
             }
@@ -124,6 +178,7 @@ impl Refusal {
             }
             Refusal::Beyond(_) => Some("at most 30 V either way, 30 mA, or 10000 Hz".to_owned()),
             Refusal::NotAnAmount(_) => Some("write `is on` or `is off`".to_owned()),
+            Refusal::NotInside(_) => Some("an input of a 1734-IB8S and a channel of a 1734-IE4S can fail".to_owned()),
             Refusal::OtherQuantity(_) => Some("short each wire to 24 V and to 0 V instead".to_owned()),
             Refusal::NotAContact(_) => Some("write volts, milliamperes or hertz, as its range is".to_owned()),
             _ => None,

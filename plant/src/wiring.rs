@@ -92,6 +92,11 @@ impl Faults {
         self.present.contains(&(terminal, Fault::Open))
     }
 
+    /// Whether the module's own circuit at a terminal is at fault.
+    pub fn is_inside(&self, terminal: Terminal) -> bool {
+        self.present.contains(&(terminal, Fault::Inside))
+    }
+
     /// Joins what touches.
     pub fn join(&self, wiring: &mut Wiring, node: impl Fn(Terminal) -> Option<Node>) {
         for (terminal, fault) in &self.present {
@@ -100,7 +105,7 @@ impl Faults {
                 Fault::ToSupply => Some(Node::SUPPLY),
                 Fault::ToCommon => Some(Node::COMMON),
                 Fault::To(other) => node(*other),
-                Fault::Open => None,
+                Fault::Open | Fault::Inside => None,
             };
             if let Some(to) = to {
                 wiring.join(from, to);

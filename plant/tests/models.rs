@@ -6,6 +6,8 @@ mod connections;
 mod figures_analog;
 #[path = "models/figures_digital.rs"]
 mod figures_digital;
+#[path = "models/followers.rs"]
+mod followers;
 #[path = "models/outputs.rs"]
 mod outputs;
 #[path = "models/support.rs"]

@@ -9,7 +9,7 @@ use crate::tree::{ErrorKind, ReadError};
 
 /// What the parser expects, and how a person is told. The first group of which anything is expected is named.
 const EXPECTED: &[(&[&str], &str)] = &[
-    (&["shorted"], "`is VALUE`, `shorted to`, `open` or `repaired`"),
+    (&["shorted"], "`is VALUE`, `shorted to`, `open`, `repaired`, `follows` or `fails`"),
     (&["lost"], "`is VALUE`, `terminal NUMBER`, or what happens to the module: power lost, lost, idle"),
     (&["on"], "a value: on, off, or a number"),
     (&["ms"], "a unit of time: ms, s, min or scans"),
@@ -40,9 +40,9 @@ fn help(token: Option<Token>, wanted: &str) -> Option<&'static str> {
     match token {
         Some(Token::Equal) => Some("a value is written `NAME is VALUE`, another one `NAME is not VALUE`"),
         Some(Token::Comma) if wanted.starts_with('`') => Some("conditions of `never` are joined with `and`"),
-        Some(Token::And) => {
-            Some("settings and checks are joined with commas, only the conditions of `never` with `and`")
-        }
+        Some(Token::And) => Some(
+            "settings and checks are joined with commas, only the conditions of `never` and contacts in series with `and`",
+        ),
         None => Some("a block ends with `end`"),
         Some(_) if wanted.starts_with("the name") => {
             Some("words of the format are written in small letters; write a tag of the same name with a capital")

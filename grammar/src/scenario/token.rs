@@ -93,6 +93,10 @@ pub(crate) enum Token {
     To,
     #[token("open")]
     Open,
+    #[token("follows")]
+    Follows,
+    #[token("fails")]
+    Fails,
     #[token("repaired")]
     Repaired,
     #[token("lost")]

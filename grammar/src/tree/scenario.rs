@@ -184,6 +184,21 @@ pub enum TerminalEvent {
     Open,
     /// `repaired`: every fault of the wire is gone.
     Repaired,
+    /// `fails`: the module's own circuit at it.
+    Fails,
+    /// `follows MODULE terminal 0 in TIME and not ...`: contacts in series move with outputs.
+    Follows(Vec<Follow>),
+}
+
+/// `MODULE terminal 0 in TIME`, `not MODULE terminal 0`: what a contact follows.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Follow {
+    /// Whether the contact is closed while the output is off.
+    pub inverted: bool,
+    /// The output.
+    pub output: Terminal,
+    /// How long the contact takes to move.
+    pub delay: Option<Time>,
 }
 
 /// What happens to a module.

@@ -28,6 +28,8 @@ pub enum ChannelFault {
     SensorOvercurrent = 100,
     /// The sensor takes too little current.
     SensorUndercurrent = 101,
+    /// Both measurements of the signal inside the module differ.
+    Inside = 108,
     /// Both tachometer signals of a pair are low.
     DualLow = 109,
     /// Field power is missing.

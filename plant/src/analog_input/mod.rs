@@ -1,6 +1,6 @@
 //! 1734-IE4S: four safety analog inputs. Source: 1734-UM013, Safety Analog Inputs; Tables 16, 21, 25; Safety Analog Input Module
 //! Specifications. What is not modelled: accuracy and drift, the on and off levels of a tachometer (its sensor gives 0 and
-//! 24 V), errors inside the module.
+//! 24 V), which circuit of the module it is that fails.
 
 mod alarm;
 mod channel;
@@ -200,6 +200,9 @@ impl AnalogInput {
         if !self.field.power {
             return ChannelFault::FieldPower;
         }
+        if self.field.faults.is_inside(Terminal::new('C', number)) {
+            return ChannelFault::Inside;
+        }
         if channel.supplies_sensor {
             let at = sensor_node(number);
             let others = self.field.wiring.joined(at) & !(at.mask() | Node::SUPPLY.mask() | Node::COMMON.mask());
@@ -273,6 +276,7 @@ impl Device for AnalogInput {
                 return Err(Refusal::OtherQuantity(*other));
             }
         }
+        device::inside_only(stimulus, Some('C'))?;
         device::not_itself(stimulus)
     }
 

@@ -55,3 +55,21 @@ impl Pair {
         self.faulted
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// For longer than the time it must differ, and for the time agree. Figure 14; REQ-PLANT-044
+    #[test]
+    fn pair_when_it_differs_and_agrees_then_the_fault_comes_after_the_time_and_goes_with_it() {
+        let settings = PointSettings::new([("Type", "EQUIVALENT"), ("DiscrepancyTime", "100")]);
+        let mut pair = Pair::new(&settings, &PointSettings::default()).unwrap();
+        let mut shown =
+            |range: std::ops::Range<u64>, odd: i32| range.filter(|now_ms| pair.look(*now_ms, 0, odd)).count();
+        // Differs from 0 ms on: the fault is there from 101 ms on.
+        assert_eq!((shown(0..101, 1), shown(101..200, 1)), (0, 99));
+        // Agrees from 200 ms on: it is gone at 300 ms.
+        assert_eq!((shown(200..300, 0), shown(300..400, 0)), (100, 0));
+    }
+}

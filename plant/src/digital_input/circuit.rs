@@ -6,8 +6,7 @@ use crate::error_latch::ErrorLatch;
 use crate::settings::{ModuleSettings, PointSettings};
 use crate::stimulus::Terminal;
 
-/// Why an input circuit shows an error: the codes of 1734-UM013 Table 12. `Internal input error` (3) is an error of the module
-/// itself, which the model does not have.
+/// Why an input circuit shows an error: the codes of 1734-UM013 Table 12.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputFault {
     /// No error.
@@ -16,6 +15,8 @@ pub enum InputFault {
     Configuration = 1,
     /// The input was on during the test pulse of its source.
     TestSignal = 2,
+    /// The circuit of the module itself is at fault.
+    Inside = 3,
     /// The channels of a pair differed for too long.
     Discrepancy = 4,
     /// The other input of the pair has an error.
@@ -40,6 +41,8 @@ pub struct Input {
     delay: InputDelay,
     /// Whether its last pulse test failed.
     pub test_failed: bool,
+    /// Whether the circuit of the module itself is at fault.
+    pub failed_inside: bool,
     /// Whether it is on, delays included.
     on: bool,
 }
@@ -61,6 +64,7 @@ impl Input {
             source: source.map(|source| source.number),
             delay: InputDelay::new(settings.milliseconds("OffOn", 0), settings.milliseconds("OnOff", 0)),
             test_failed: false,
+            failed_inside: false,
             on: false,
         }
     }
@@ -90,6 +94,7 @@ impl Input {
     fn fault(&self) -> InputFault {
         match self.mode {
             Mode::PulseTest if self.source.is_none() => InputFault::Configuration,
+            _ if self.failed_inside => InputFault::Inside,
             _ if self.test_failed => InputFault::TestSignal,
             _ => InputFault::None,
         }

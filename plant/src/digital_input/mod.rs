@@ -173,6 +173,7 @@ impl Device for DigitalInput {
                 return Err(Refusal::NoDevice(*terminal));
             }
         }
+        device::inside_only(stimulus, Some('I'))?;
         device::not_itself(stimulus)
     }
 
@@ -181,7 +182,7 @@ impl Device for DigitalInput {
             return;
         }
         if let Stimulus::Signal(terminal, signal) = stimulus
-            && let (Ok(closed), Some(own)) =
+            && let (Ok(Some(closed)), Some(own)) =
                 (device::contact(*terminal, *signal), self.closed.get_mut(usize::from(terminal.number)))
         {
             *own = closed;
@@ -217,6 +218,7 @@ impl Device for DigitalInput {
             self.judge_pulse(test, now_ms);
         }
         for (number, input) in (0..).zip(&mut self.inputs) {
+            input.failed_inside = self.field.faults.is_inside(Terminal::new('I', number));
             input.look(now_ms, self.field.wiring.is_high(input_node(number), driven));
         }
         for circuit in &mut self.circuits {

@@ -48,7 +48,7 @@ fn outputs_when_no_packet_arrives_for_the_limit_then_they_are_off() {
     let mut plant = Plant::new(vec![Station::new(&settings, Vec::new(), vec![Command::Output(0)]).unwrap()]);
     let high = |plant: &Plant| plant.stations()[0].is_high(at("O0"));
     plant.through(20);
-    plant.station_mut(0).unwrap().receive([true].into_iter());
+    plant.receive(0, [true].into_iter());
     assert_eq!(high(&plant), Some(true));
     // 60.032 ms after 20 ms.
     plant.through(80);
@@ -66,7 +66,7 @@ fn test_outputs_when_no_packet_arrives_then_each_does_what_its_fault_action_says
     let commands = vec![Command::Test(2), Command::Test(3)];
     let mut plant = Plant::new(vec![Station::new(&settings, Vec::new(), commands).unwrap()]);
     plant.through(20);
-    plant.station_mut(0).unwrap().receive([true, true].into_iter());
+    plant.receive(0, [true, true].into_iter());
     plant.through(81);
     let high = |name| plant.stations()[0].is_high(at(name));
     assert_eq!((high("T2"), high("T3")), (Some(true), Some(false)));
@@ -79,7 +79,7 @@ fn outputs_when_the_module_is_idle_then_they_are_in_the_safe_state() {
     let mut plant = Plant::new(vec![Station::new(&settings, Vec::new(), vec![Command::Output(0)]).unwrap()]);
     let told = |plant: &mut Plant, time_ms| {
         plant.through(time_ms);
-        plant.station_mut(0).unwrap().receive([true].into_iter());
+        plant.receive(0, [true].into_iter());
         plant.stations()[0].is_high(at("O0"))
     };
     assert_eq!(told(&mut plant, 20), Some(true));

@@ -307,6 +307,28 @@ fn channels_when_they_measure_different_quantities_then_their_short_is_refused()
     assert_eq!(bench.read(100, &[Data(0), Data(2)]), [3_750, 5_000]);
 }
 
+/// A wire of a sensor supply that touches two inputs joins them; where that supply is broken, each input measures its own sensor.
+/// REQ-PLANT-048
+#[test]
+fn channels_when_a_dead_supply_joins_them_then_another_quantity_does_not_count() {
+    let supplied = vec![("Mode", "SAFETY"), ("Range", "MA_4_20")];
+    let mut bench = module(&[("C0", channel("MA_4_20", &[])), ("C1", channel("V_10", &[])), ("C2", supplied)]);
+    bench.at(0, amount("C0", 12_000)).at(0, amount("C1", 5_000)).at(0, Stimulus::Fault(at("S2"), Fault::Open));
+    bench.at(0, Stimulus::Fault(at("S2"), Fault::To(at("C0")))).at(0, Stimulus::Fault(at("S2"), Fault::To(at("C1"))));
+    assert_eq!(bench.read(100, &[Data(0), Status(0), Data(1), Status(1)]), [5_000, 1, 7_500, 1]);
+}
+
+/// REQ-PLANT-007
+#[test]
+fn channel_when_its_circuit_in_the_module_fails_then_it_is_0_with_its_reason() {
+    let mut bench = module(&[("C0", channel("MA_4_20", &[]))]);
+    bench.at(0, amount("C0", 12_000)).at(100, Stimulus::Fault(at("C0"), Fault::Inside));
+    assert_eq!(bench.read(100, &[Data(0), Status(0), FaultReason(0)]), [0, 0, 108]);
+    bench.at(200, Stimulus::Repaired(at("C0")));
+    assert_eq!(bench.read(1198, &[Status(0)]), [0]);
+    assert_eq!(bench.read(2000, &[Data(0), Status(0), FaultReason(0)]), [5_000, 1, 1]);
+}
+
 /// At a channel stands a number, and at the supply of a sensor that the module supplies 24 V.
 #[test]
 fn terminals_when_looked_at_then_only_a_supply_of_the_module_is_on() {

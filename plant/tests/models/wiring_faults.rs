@@ -2,7 +2,7 @@
 
 use twinrung_plant::Reading::{CombinedStatus, Data, Muting, Power, Status, TestStatus};
 use twinrung_plant::digital_input::{DigitalInput, InputFault, TestFault};
-use twinrung_plant::{Command, Device, Fault, ModuleSettings, Stimulus};
+use twinrung_plant::{Command, Device, Fault, ModuleSettings, Refusal, Stimulus};
 
 use super::support::{Bench, at, contact, pair};
 
@@ -141,6 +141,18 @@ fn field_power_when_lost_then_the_muting_status_is_0_and_no_lamp_is_tested() {
     assert_eq!(bench.read(12_000, &[Muting(1)]), [1]);
 }
 
+/// REQ-PLANT-022, REQ-PLANT-011
+#[test]
+fn field_power_when_lost_between_two_tests_of_a_lamp_then_the_one_before_does_not_count() {
+    let settings = ModuleSettings::new("1734-IB8S").point(at("T1"), &[("Mode", "MUTING_LAMP")]);
+    let mut bench = Bench::new(DigitalInput::new(&settings));
+    bench.command(0, &[(Command::Test(1), true)]).at(100, Stimulus::Fault(at("T1"), Fault::Open));
+    // The test at 3 s fails; those at 6 s and 9 s are the two in a row.
+    bench.at(4000, Stimulus::FieldPower(false)).at(5000, Stimulus::FieldPower(true));
+    assert_eq!(bench.read(8999, &[Muting(1)]), [1]);
+    assert_eq!(bench.read(9000, &[Muting(1)]), [0]);
+}
+
 /// REQ-PLANT-022
 #[test]
 fn field_power_when_back_then_what_a_pulse_found_before_is_no_error() {
@@ -159,6 +171,25 @@ fn settings_when_an_image_holds_what_no_table_allows_then_they_are_not_set() {
         assert_eq!(bench.read(300, &[Data(0), Status(0), Data(1), Status(1)]), [0, 0, 1, 1], "{source}");
         assert_eq!(bench.device.input_fault(0), InputFault::Configuration);
     }
+}
+
+/// REQ-PLANT-007
+#[test]
+fn input_when_its_circuit_in_the_module_fails_then_it_is_an_error_of_both_of_its_pair() {
+    let mut bench = closed(&pair("EQUIVALENT", "100"));
+    bench.at(100, Stimulus::Fault(at("I1"), Fault::Inside));
+    assert_eq!(bench.read(100, &[Data(0), Status(0), Status(1)]), [0, 0, 0]);
+    assert_eq!((bench.device.input_fault(0), bench.device.input_fault(1)), (InputFault::Partner, InputFault::Inside));
+    bench.at(200, Stimulus::Repaired(at("I1"))).at(300, contact("I0", false)).at(300, contact("I1", false));
+    assert_eq!(bench.read(2000, &[Status(0), Status(1)]), [1, 1]);
+}
+
+/// REQ-PLANT-007
+#[test]
+fn test_output_when_its_circuit_is_said_to_fail_then_it_is_refused() {
+    let settings = ModuleSettings::new("1734-IB8S").point(at("T2"), &[("Mode", "POWER_SUPPLY")]);
+    let refused = DigitalInput::new(&settings).accepts(&Stimulus::Fault(at("T2"), Fault::Inside));
+    assert_eq!(refused, Err(Refusal::NotInside(at("T2"))));
 }
 
 /// What is wired to a test output gets nothing through a broken wire.

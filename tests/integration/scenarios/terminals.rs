@@ -73,6 +73,25 @@ const REFUSED: &[(&str, &str)] = &[
         "E0503 2: `9223372036854775.999` is no value of a terminal; on, off, or a number with three decimals at most",
     ),
     (
+        "given Field_In terminal 4 follows Field_In terminal 5",
+        "E0507 2: I5 is no output; a contact follows a safety output or a test output",
+    ),
+    (
+        "given Field_In terminal 4 follows Field_Out terminal 5",
+        "E0507 2: the project does not use the terminal O5; set its mode in the module: `POINT O05 (Mode := SAFETY);`",
+    ),
+    ("given Field_Out terminal 0 follows Field_Out terminal 1", "E0507 2: the module switches O0, no device does"),
+    (
+        "given Field_In terminal 4 follows Field_Out terminal 0 and Field_Out terminal 0 and Field_Out terminal 0 \
+         and Field_Out terminal 1 and Field_Out terminal 1",
+        "E0507 2: 5 contacts are in series, and 4 are the most",
+    ),
+    (
+        "given Field_Out terminal 0 fails",
+        "E0507 2: no source tells what the module shows when its own circuit at O0 fails; an input of a 1734-IB8S and a \
+         channel of a 1734-IE4S can fail",
+    ),
+    (
         "given Rack terminal 0 is on",
         "E0502 2: `Rack` is no module with terminals; modules with terminals here: Field_In, Field_Out",
     ),
@@ -181,6 +200,23 @@ fn hold_when_it_ends_at_a_terminal_then_what_was_before_or_came_later_stays() {
     ];
     let found: Vec<Vec<String>> = cases.iter().map(|lines| on(lines)).collect();
     assert_eq!(found, vec![Vec::<String>::new(); cases.len()]);
+}
+
+/// REQ-PLANT-054, REQ-TEST-007
+#[test]
+fn contact_when_it_follows_an_output_then_a_hold_of_it_ends_and_it_follows_again() {
+    let held = "given Field_In terminal 4 follows not Field_Out terminal 0 in 30 ms and not Field_Out terminal 1\n\
+                then K1_Feedback is on\nat 100 ms\nhold Field_In terminal 4 is off for 100 ms\nat 160 ms\nthen K1_Feedback is off\n\
+                at 300 ms\nthen K1_Feedback is on";
+    assert_eq!(failures(&report(&estop(), &format!("scenario \"x\"\n{held}\nend\n"))), [] as [String; 0]);
+}
+
+/// REQ-PLANT-007
+#[test]
+fn input_when_the_module_fails_there_then_its_status_says_so() {
+    let lines = "given Field_In terminal 2 is on\nat 100 ms\nwhen Field_In terminal 2 fails\n\
+                 then Field_In:I.CombinedInputStatus is off, Field_In:I.Pt02Data is off";
+    assert_eq!(failures(&report(&estop(), &format!("scenario \"x\"\n{lines}\nend\n"))), [] as [String; 0]);
 }
 
 /// A module that looks at its pulses each µs counts for a thousand. REQ-PLANT-053

@@ -144,8 +144,8 @@ impl<'s, A: Channel, B: Channel> Stage<'s, A, B> {
     fn command_modules(&mut self) {
         let Stage { scenario, plant, controller, .. } = self;
         for (position, site) in scenario.sites.iter().enumerate() {
-            if let Some(station) = plant.station_mut(position).filter(|_| !site.outputs.is_empty()) {
-                station.receive(site.outputs.iter().map(|signal| signal.read(controller).is_true()));
+            if !site.outputs.is_empty() {
+                plant.receive(position, site.outputs.iter().map(|signal| signal.read(controller).is_true()));
             }
         }
     }

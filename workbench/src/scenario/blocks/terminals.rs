@@ -3,7 +3,7 @@
 use twinrung_compiler::diagnostic::{Finding, SCENARIO_NAME, SCENARIO_TERMINAL, SCENARIO_VALUE};
 use twinrung_grammar::tree::scenario::{self as tree, Literal, ModuleEvent, TerminalEvent};
 use twinrung_grammar::tree::{Name, Span};
-use twinrung_plant::{Fault, Refusal, Signal, Station, Stimulus, Terminal};
+use twinrung_plant::{AuxiliaryContact, Fault, Refusal, SERIES_MAX, Series, Signal, Station, Stimulus, Terminal};
 
 use super::{Expansion, finding};
 use crate::scenario::Change;
@@ -169,9 +169,31 @@ impl Expansion<'_> {
             }
             TerminalEvent::Open => Stimulus::Fault(own, Fault::Open),
             TerminalEvent::Repaired => Stimulus::Repaired(own),
+            TerminalEvent::Fails => Stimulus::Fault(own, Fault::Inside),
+            TerminalEvent::Follows(contacts) => Stimulus::Signal(own, Signal::Follows(self.series(contacts, span)?)),
         };
         station.accepts(&stimulus).map_err(|refusal| refused(&refusal, span))?;
         Ok((position, stimulus))
+    }
+
+    /// Contacts in series that follow outputs, of whichever modules.
+    fn series(&self, contacts: &[tree::Follow], span: Span) -> Result<Series, Box<Finding>> {
+        let mut list = Vec::with_capacity(contacts.len());
+        for contact in contacts {
+            let place = &contact.output;
+            let (position, station) = module(self.sites, &place.module)?;
+            let output = looked_at(&station, place)?;
+            if !matches!(output.letter, 'O' | 'T') {
+                let wrong = Finding::new(&SCENARIO_TERMINAL, place.span, format!("{output} is no output"));
+                return Err(Box::new(wrong.help("a contact follows a safety output or a test output")));
+            }
+            let delay_ms = contact.delay.as_ref().map_or(Ok(0), |time| self.time(time))?;
+            list.push(AuxiliaryContact { module: position, output, inverted: contact.inverted, delay_ms });
+        }
+        Series::new(&list).ok_or_else(|| {
+            let message = format!("{} contacts are in series, and {SERIES_MAX} are the most", list.len());
+            finding(&SCENARIO_TERMINAL, span, message)
+        })
     }
 
     /// What happens to a module, looked up.
