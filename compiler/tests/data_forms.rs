@@ -160,3 +160,17 @@ fn list_when_bits_of_a_type_fill_more_than_a_byte_then_each_byte_is_a_value() {
     assert_eq!(image.image().initial_bits, [1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1]);
     assert_eq!(image.image().initial_words, [5]);
 }
+
+#[test]
+fn characters_when_they_are_the_value_of_an_integer_then_its_bytes() {
+    let forms = |kind: &str, value: &str| {
+        format!("<Data Format=\"Decorated\"><DataValue DataType=\"{kind}\" Radix=\"ASCII\" Value=\"{value}\"/></Data>")
+    };
+    let shown = |kind: &str, value: &str| words(&format!("DataType=\"{kind}\""), &forms(kind, value));
+    assert_eq!(shown("SINT", "'$FE'"), [-2]);
+    assert_eq!(shown("INT", "'$FF$FE'"), [-2]);
+    assert_eq!(shown("INT", "'AB'"), [0x4142]);
+    assert_eq!(shown("DINT", "'ABCD'"), [0x4142_4344]);
+    assert_eq!(codes("DataType=\"INT\"", &forms("INT", "'ABC'")), ["E0309"]);
+    assert_eq!(codes("DataType=\"BOOL\"", &forms("BOOL", "'A'")), ["E0309"]);
+}

@@ -47,6 +47,19 @@ fn instances_when_in_arrays_then_each_begins_with_the_defaults_of_its_definition
 }
 
 #[test]
+fn instances_when_in_an_array_of_local_tags_then_each_begins_with_the_defaults_of_its_definition() {
+    let group = UNIT.replace("  DATATYPE Line_T\n    DINT Number;\n    Unit Units[2];\n  END_DATATYPE\n", "")
+        + "  ADD_ON_INSTRUCTION_DEFINITION Group (Class := Safety)\n    LOCAL_TAGS\n      Units : Unit[2];\n    END_LOCAL_TAGS\n    \
+           ROUTINE Logic\n      N: NOP();\n    END_ROUTINE\n  END_ADD_ON_INSTRUCTION_DEFINITION\n";
+    let tags = format!("{TAGS}\n    One : Group (Class := Safety);");
+    let image = admitted(&project(&group, &tags, "OTE(X)", ""));
+    let one = image.image().tags.iter().find(|tag| tag.name == "One").unwrap();
+    assert_eq!(image.image().initial_words[one.word_cell as usize..][..4], [7, 5, 7, 5]);
+    // EnableIn and EnableOut of the group, then of each unit, with Armed.
+    assert_eq!(image.image().initial_bits[one.bit_cell as usize..][..8], [0, 0, 0, 0, 1, 0, 0, 1]);
+}
+
+#[test]
 fn setting_when_it_holds_a_control_character_then_a_blank_stands_for_it() {
     let vendor = |name: &str| {
         let tags = format!("{TAGS}\n    One : Unit (Class := Safety);");

@@ -144,3 +144,17 @@ fn storage_bit_when_something_writes_the_number_that_it_is_a_bit_of_then_a_warni
     assert_eq!(warned("XIC(Y)OTL(V[1].0)"), ["V[1].0"]);
     assert_eq!(warned("MOV(A,V[2])"), Vec::<String>::new());
 }
+
+#[test]
+fn member_when_unknown_then_the_first_twelve_are_shown_and_whether_there_are_more() {
+    let shown = |count: usize| {
+        let members: String = (0..count).map(|at| format!("    DINT Member{at};\n")).collect();
+        let types = format!("  DATATYPE Long_T\n{members}  END_DATATYPE\n");
+        let mut sources = Sources::new();
+        let text = project(&types, "    L : Long_T (Class := Safety);", "CLR(L.Other)", "");
+        let checked = check(&read(&mut sources, "sample.rll", &text), &Completion::default());
+        checked.findings.into_iter().find(|finding| finding.is_error()).and_then(|finding| finding.help).unwrap()
+    };
+    assert!(shown(12).ends_with("Member10, Member11"), "{}", shown(12));
+    assert!(shown(13).ends_with("Member10, Member11, ..."), "{}", shown(13));
+}

@@ -312,6 +312,10 @@ fn characters(text: &Text) -> Result<Vec<u8>, Trouble> {
 
 /// A number as the cell of an elementary type holds it.
 fn number(value: &Value, element: Element) -> Result<i32, Trouble> {
+    let integer = !matches!(element, Element::Bool | Element::Real);
+    if let (Value::String(text), true) = (value, integer) {
+        return of_characters(text, element);
+    }
     let Value::Number(text) = value else {
         let message = format!("the data does not fit the type: expected a {}", element.name());
         return Err(Finding::new(&DATA_DOES_NOT_FIT, value.span(), message).into());
@@ -353,16 +357,23 @@ fn number(value: &Value, element: Element) -> Result<i32, Trouble> {
             let value = f32::from_bits(bits);
             Ok(if value.is_nan() { 0x7FC0_0000 } else { bits as i32 })
         }
-        Number::Ascii(bytes) if bytes.len() <= 4 && element != Element::Real && element != Element::Bool => {
-            let value = bytes.iter().fold(0u32, |value, byte| value << 8 | u32::from(*byte));
-            Ok(match element {
-                Element::Sint => i32::from(value as i8),
-                Element::Int => i32::from(value as i16),
-                _ => value as i32,
-            })
-        }
         _ => Err(misfit()),
     }
+}
+
+/// An integer whose radix is ASCII: the first character is the most significant byte.
+fn of_characters(text: &Text, element: Element) -> Result<i32, Trouble> {
+    let bytes = characters(text)?;
+    if bytes.len() > element.bytes() as usize {
+        let message = format!("{} characters do not fit {}", bytes.len(), element.name());
+        return Err(Finding::new(&DATA_DOES_NOT_FIT, text.span, message).into());
+    }
+    let value = bytes.iter().fold(0u32, |value, byte| value << 8 | u32::from(*byte));
+    Ok(match element {
+        Element::Sint => i32::from(value as i8),
+        Element::Int => i32::from(value as i16),
+        _ => value as i32,
+    })
 }
 
 /// The 32 bits of a number in a list of words.
