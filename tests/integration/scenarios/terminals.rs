@@ -192,8 +192,8 @@ fn hold_when_it_ends_at_a_terminal_then_what_was_before_or_came_later_stays() {
         format!("given Field_In terminal 2 open\nat 100 ms\nhold Field_In terminal 2 open for 100 ms\nat 400 ms\nthen {reset} is off"),
         // What comes later stays.
         format!("hold Field_In terminal 2 open for 100 ms\nat 60 ms\nwhen Field_In terminal 2 open\nat 400 ms\nthen {reset} is off"),
-        format!("hold Field_In lost for 100 ms\nat 60 ms\nwhen Field_In lost\nat 400 ms\nthen Field_In:I.ConnectionFaulted is on"),
-        format!("given Field_In idle\nat 100 ms\nhold Field_In idle for 100 ms\nat 400 ms\nthen Field_In:I.RunMode is off"),
+        "hold Field_In lost for 100 ms\nat 60 ms\nwhen Field_In lost\nat 400 ms\nthen Field_In:I.ConnectionFaulted is on".to_owned(),
+        "given Field_In idle\nat 100 ms\nhold Field_In idle for 100 ms\nat 400 ms\nthen Field_In:I.RunMode is off".to_owned(),
         // And a hold alone ends.
         format!("hold Field_In terminal 2 open for 100 ms\nat 60 ms\nthen {reset} is off\nat 400 ms\nthen {reset} is on"),
         "hold Field_In idle for 100 ms\nat 60 ms\nthen Field_In:I.RunMode is off\nat 400 ms\nthen Field_In:I.RunMode is on".to_owned(),
