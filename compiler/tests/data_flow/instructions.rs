@@ -70,8 +70,9 @@ fn zone_when_a_jump_leads_to_its_first_rung_then_it_still_qualifies_and_past_it_
 #[test]
 fn zone_when_a_jump_leads_into_a_later_one_then_it_still_qualifies() {
     let zone = "XIC(Safe)MCR()\nXIC(Std)OTE(Motor)\nMCR()";
-    let later = "XIC(Safe2)JMP(In)\nXIC(Safe)MCR()\nLBL(In)NOP()\nMCR()";
-    accepted(&format!("{zone}\n{later}"));
+    let later = "XIC(Safe)MCR()\nLBL(In)NOP()\nMCR()";
+    accepted(&format!("{zone}\nXIC(Safe2)JMP(In)\n{later}"));
+    accepted(&format!("XIC(Safe2)JMP(In)\n{zone}\n{later}"));
 }
 
 #[test]
