@@ -26,6 +26,9 @@ struct Call {
     owns_structure: bool,
 }
 
+/// How many bits a rung is likely to come back to.
+const NEAR_BITS: usize = 6;
+
 impl Writer<'_> {
     /// A call of a base instruction; none where nothing in reach fits its operands.
     pub fn call(&mut self, instruction: &'static Instruction) -> Option<String> {
@@ -185,12 +188,21 @@ impl Writer<'_> {
             return Some(self.random.of(&["S:V", "S:Z", "S:N", "S:C", "S:FS", "S:MINOR"]).to_string());
         }
         let writes = access.writes();
-        if self.random.percent(20)
-            && let Some(bit) = self.bit_of_word(writes, "")
-        {
-            return Some(bit);
+        // What a rung asks it often switches as well, as a circuit that seals itself in does.
+        if !self.near_bits.is_empty() && self.random.percent(20) {
+            return Some(self.random.of(&self.near_bits.clone()).clone());
         }
-        self.element(Element::Bool, writes).map(|named| named.text)
+        let writable = writes || self.random.percent(40);
+        let word = if self.random.percent(20) { self.bit_of_word(writable, "") } else { None };
+        let bit = match word {
+            Some(bit) => bit,
+            None => self.element(Element::Bool, writable)?.text,
+        };
+        if writable {
+            self.near_bits.truncate(NEAR_BITS - 1);
+            self.near_bits.insert(0, bit.clone());
+        }
+        Some(bit)
     }
 
     /// A bit of an integer, by number or by a tag, that does not lie in a tag.

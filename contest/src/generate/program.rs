@@ -298,6 +298,7 @@ fn writer<'w>(random: &'w mut Random, shared: &'w Shared, outer: &'w Names, own:
         pending_labels: Vec::new(),
         fresh: 0,
         off_timers: Vec::new(),
+        near_bits: Vec::new(),
         owned: Vec::new(),
         passed_off: Vec::new(),
         reset: Vec::new(),

@@ -15,12 +15,12 @@ impl Writer<'_> {
             match self.random.below(40) {
                 0 => self.bounded_loop(&mut rungs),
                 1..=2 if !self.in_add_on => self.zone(&mut rungs),
-                3 => {
+                3..=4 => {
                     let rung = self.written_member();
                     rungs.push(rung);
                 }
-                4 => rungs.extend(self.raised_fault()),
-                5..=12 => self.guard(&mut rungs),
+                5 => rungs.extend(self.raised_fault()),
+                6..=12 => self.guard(&mut rungs),
                 13..=20 if self.in_add_on => self.guard(&mut rungs),
                 _ => {
                     let rung = self.labelled_rung();
@@ -225,9 +225,13 @@ impl Writer<'_> {
     /// Values for the members of structures that random writes leave alone: those of an instruction before, or any.
     fn written_member(&mut self) -> String {
         let condition = self.input();
-        let of_an_instruction = !self.owned.is_empty() && self.random.percent(50);
-        let (kind, text) = if of_an_instruction {
-            self.random.of(&self.owned.clone()).clone()
+        let of_an_instruction = match self.random.below(4) {
+            0 => self.owned.last().cloned(),
+            1 if !self.owned.is_empty() => Some(self.random.of(&self.owned.clone()).clone()),
+            _ => None,
+        };
+        let (kind, text) = if let Some(own) = of_an_instruction {
+            own
         } else {
             let fits = |place: &Place| place.kind.is_structure() && !place.is_array() && place.writable;
             match self.place(fits) {

@@ -128,6 +128,8 @@ pub struct Writer<'w> {
     pub pending_labels: Vec<String>,
     /// Numbers fresh names.
     pub fresh: usize,
+    /// Bits that may be written and were named last.
+    pub near_bits: Vec<String>,
     /// Structures that an instruction has for itself.
     pub owned: Vec<(Kind, String)>,
     /// Timers of TOFs, which RES must not name.
