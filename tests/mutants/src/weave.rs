@@ -140,7 +140,7 @@ mod tests {
         assert_eq!([&less, &three].map(|mutant| weavable(TEXT, mutant)), [Ok(()), Ok(())]);
         let woven = weave(TEXT, &[(1, &less), (2, &three)]);
         let expected = "/// One.\nfn one(a: u8) -> bool {\nif crate::woven::is_on(1) { return {\n    a  >  2\n\n}; }\n\n    a < 2\n}\n\n\
-                        fn two() -> u8 {\nif crate::woven::is_on(2) { return { 0  \n}; }\n 3 }\n";
+                        fn two() -> u8 {\nif crate::woven::is_on(2) { return {  0  \n}; }\n 3 }\n";
         assert_eq!(woven.text, expected);
         let lines: Vec<&str> = woven.text.lines().collect();
         assert!(
