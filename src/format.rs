@@ -10,7 +10,7 @@ use serde::Serialize;
 pub enum Format {
     /// For a terminal
     Human,
-    /// One JSON object
+    /// One JSON value
     Json,
 }
 

@@ -17,6 +17,37 @@ fn generator_when_asked_for_many_programs_then_every_base_instruction_occurs() {
     assert_eq!(missing, Vec::<&str>::new());
 }
 
+/// What mistakes hide behind, and what random choices alone would come upon once in ten thousand programs.
+#[test]
+fn generator_when_asked_for_many_programs_then_what_is_rare_by_itself_occurs_often() {
+    let texts: Vec<String> = (0..600).map(|seed| generate::program(seed, Size::SMALL).text).collect();
+    let rungs: Vec<&str> = texts.iter().flat_map(|text| text.lines()).filter(|line| line.contains(" N: ")).collect();
+    let writes_negative = |member: &str| {
+        let end = format!(".{member})");
+        move |rung: &&&str| {
+            let mut writes = rung.split("MOV(-").skip(1).filter_map(|rest| rest.split_inclusive(')').next());
+            writes.any(|operands| operands.ends_with(&end))
+        }
+    };
+    let switches_what_it_asks = |rung: &&&str| {
+        let mut asked = rung.split("XIC(").skip(1).filter_map(|rest| rest.split_once(')'));
+        asked.any(|(bit, behind)| behind.contains(&format!("OTE({bit})")))
+    };
+    let masks_an_overflow = |rung: &&&str| rung.contains(" AND (");
+    let jumps_to_the_limit = |rung: &&&str| rung.contains(",1001)JMP(") || rung.contains(",1002)JMP(");
+    let count = |holds: &dyn Fn(&&&str) -> bool| rungs.iter().filter(|rung| holds(rung)).count();
+    for (what, found) in [
+        ("a negative preset", count(&writes_negative("PRE"))),
+        ("a negative position", count(&writes_negative("POS"))),
+        ("a negative length", count(&writes_negative("LEN"))),
+        ("a rung that switches what it asks", count(&switches_what_it_asks)),
+        ("a subscript that overflows and is in range", count(&masks_an_overflow)),
+        ("a loop that ends at the limit of jumps back", count(&jumps_to_the_limit)),
+    ] {
+        assert!(found >= 2, "{what}: {found} in {} rungs", rungs.len());
+    }
+}
+
 #[test]
 fn generator_when_given_one_seed_twice_then_program_and_stimulus_are_the_same() {
     let (first, second) = (generate::program(7, Size::SMALL), generate::program(7, Size::SMALL));

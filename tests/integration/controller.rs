@@ -93,6 +93,30 @@ fn download_when_repeated_from_the_export_then_the_signature_stays_and_another_p
     assert_eq!(cell.status()["signature"], serde_json::Value::Null);
 }
 
+/// REQ-SIGN-004. Newer controllers have a module's safety network number on its port: it is signed there as well.
+#[test]
+fn download_when_only_the_network_number_on_a_port_differs_then_it_is_another_application() {
+    let export = text(&project_path("samples/add-on-instruction/project.L5X"));
+    let number = "SafetyNetwork=\"16#0000_0000_0001_0002\"";
+    let (before, module) = export.split_at(export.find("<Module Name=\"Field_In\"").unwrap());
+    let port = "Address=\"1\" Type=\"PointIO\"";
+    assert!(module.contains(number) && module.contains(port));
+    let on_the_port = |number: &str| {
+        let without = module.replacen("SafetyNetwork=\"16#0000_0000_0001_0002\" ", "", 1);
+        format!("{before}{}", without.replacen(port, &format!("{port} {number}"), 1))
+    };
+    let cell = Cell::new();
+    cell.write("module.L5X", &export);
+    cell.write("port.L5X", &on_the_port(number));
+    cell.write("other.L5X", &on_the_port("SafetyNetwork=\"16#0000_0000_0001_0003\""));
+    let download = |name: &str| format!("download {}", cell.path(name).display());
+    cell.done(&download("port.L5X"));
+    cell.done(&format!("generate --clock {CLOCK}"));
+    cell.done("lock");
+    assert_eq!(cell.ask(&download("other.L5X")).code, Some(1));
+    cell.done(&download("module.L5X"));
+}
+
 /// REQ-MODE-009
 #[test]
 fn mode_when_changed_then_it_takes_more_than_one_period_and_less_than_two() {

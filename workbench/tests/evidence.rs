@@ -114,15 +114,15 @@ fn evidence_when_written_as_json_then_each_floor_stands_there_with_what_was_foun
     assert_eq!((&json["schema"], &json["is_met"]), (&1.into(), &false.into()));
     let floors = json["floors"].as_array().unwrap();
     assert_eq!(floors.len(), FLOORS.len());
-    let seconds = floors.iter().find(|floor| floor["id"] == "campaign.seconds").unwrap();
-    assert_eq!((&seconds["value"], &seconds["state"]), (&10_800.0.into(), &"met".into()));
+    let time = floors.iter().find(|floor| floor["id"] == "campaign.processor").unwrap();
+    assert_eq!((&time["value"], &time["state"]), (&9_000.0.into(), &"below".into()));
 }
 
 /// REQ-EVIDENCE-003
 #[test]
 fn campaigns_when_added_up_then_times_and_points_are_those_of_all() {
     let evidence = evidence();
-    assert_eq!(found(&evidence, "campaign.seconds"), (Some(10_800.0), State::Met));
+    assert_eq!(found(&evidence, "campaign.processor"), (Some(9_000.0), State::Below));
     assert_eq!(found(&evidence, "campaign.missing"), (Some(1.0), State::Below));
     let campaign = evidence.campaign.as_ref().unwrap();
     assert_eq!(

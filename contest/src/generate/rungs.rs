@@ -121,9 +121,19 @@ impl Writer<'_> {
         "NOP()".to_owned()
     }
 
-    /// RET and TND stand behind a condition, or most routines would end at their first.
+    /// RET and TND stand behind a condition, or most routines would end at their first. A position that is set before the
+    /// instruction in its own rung is there when it starts: one that another rung has set is seldom left by then.
     fn sometimes(&mut self, instruction: &Instruction, text: String) -> String {
-        if instruction.position == Position::Ending { format!("{}{}{text}", self.input(), self.input()) } else { text }
+        if instruction.position == Position::Ending {
+            return format!("{}{}{text}", self.input(), self.input());
+        }
+        match self.control.clone() {
+            Some(control) if self.random.one_in(16) => {
+                let position = self.also_negative(6);
+                format!("{}{}MOV({position},{control}.POS){text}", self.input(), self.input())
+            }
+            _ => text,
+        }
     }
 
     /// An instruction that computes the rung condition.

@@ -21,9 +21,7 @@ pub(super) fn module(layout: &mut Layout, module: &Module) {
     list.number("ParentModPortId", module.parent_port);
     list.number("Slot", module.slot);
     list.text("IPAddress", module.address.as_ref());
-    // Newer controllers have the number on the port to the parent.
-    let port = module.ports.iter().find_map(|port| port.safety_network.as_ref());
-    list.word("SafetyNetwork", module.safety_network.as_ref().or(port).map(|text| text.text.as_str()));
+    list.word("SafetyNetwork", module.network_number().map(|text| text.text.as_str()));
     list.flag("SafetyEnabled", module.safety_enabled);
     list.flag("Inhibited", module.inhibited);
     list.milliseconds("RPI", module.rpi_us);

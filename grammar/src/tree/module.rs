@@ -60,6 +60,13 @@ pub struct Module {
     pub span: Span,
 }
 
+impl Module {
+    /// The safety network number: its own, or that of the port to the parent, where newer controllers have it.
+    pub fn network_number(&self) -> Option<&Text> {
+        self.safety_network.as_ref().or_else(|| self.ports.iter().find_map(|port| port.safety_network.as_ref()))
+    }
+}
+
 /// `POINT I00 (Mode := SAFETY_PULSE_TEST, ...)`. The catalogue knows which keys and words there are.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Point {

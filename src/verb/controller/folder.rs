@@ -73,6 +73,8 @@ impl Kept {
 
     /// The image with both versions of an accepted online edit, and whether the changed one executes.
     pub(super) fn both_versions(&self) -> io::Result<Option<(AdmittedImage, &[u8], bool)>> {
+        // The edit is one of an application that still is what its signature says.
+        self.admitted()?;
         let Some((bytes, tested)) = self.state.both_versions() else { return Ok(None) };
         let image = admit(bytes)
             .map_err(|error| io::Error::other(format!("the online edit in the controller is refused: {error}")))?;

@@ -9,9 +9,10 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use serde::Deserialize;
 use twinrung_mutants::{BuildError, SWITCH};
 use twinrung_workbench::evidence::{Conditions, Measured};
+use twinrung_workbench::fuzz::Report;
+use twinrung_workbench::provenance::Provenance;
 
 use crate::ScratchTree;
 
@@ -67,32 +68,6 @@ impl From<io::Error> for MeasureError {
     fn from(error: io::Error) -> MeasureError {
         MeasureError::Io(error)
     }
-}
-
-/// The part of the fuzzer's report that says when it found something.
-#[derive(Deserialize)]
-struct Report {
-    seconds: f64,
-    programs: u64,
-    differences: Vec<Difference>,
-    runs: Vec<Build>,
-}
-
-/// What the report says of the build and the machine; empty where they were not to be found out.
-#[derive(Default, Deserialize)]
-#[serde(default)]
-struct Build {
-    version: String,
-    rustc: String,
-    processor: String,
-    cores: usize,
-}
-
-#[derive(Deserialize)]
-struct Difference {
-    program: u64,
-    after_seconds: f64,
-    after_programs: u64,
 }
 
 impl Bench {
@@ -161,9 +136,12 @@ impl Bench {
             .ok()
             .and_then(|bytes| serde_json::from_slice(&bytes).ok())
             .ok_or_else(|| MeasureError::Fuzz(last_lines(&said)))?;
-        let Build { version, rustc, processor, cores } = report.runs.into_iter().next().unwrap_or_default();
+        let Provenance { version, rustc, processor, cores, .. } =
+            report.runs.into_iter().next().map(|run| run.provenance).unwrap_or_default();
+        let (rustc, processor) = (rustc.unwrap_or_default(), processor.unwrap_or_default());
         let Bench { jobs, limit_s, seed, .. } = *self;
-        let conditions = Conditions { jobs, limit_s, seed, version, rustc, processor, cores };
+        let conditions =
+            Conditions { jobs, limit_s, seed, version, rustc, processor, cores: cores.unwrap_or_default() };
         let Some(first) = report.differences.first() else {
             return Ok((Measured { found: false, seconds: report.seconds, cases: report.programs }, conditions));
         };

@@ -205,10 +205,22 @@ fn hold_when_it_ends_at_a_terminal_then_what_was_before_or_came_later_stays() {
 /// REQ-PLANT-054, REQ-TEST-007
 #[test]
 fn contact_when_it_follows_an_output_then_a_hold_of_it_ends_and_it_follows_again() {
-    let held = "given Field_In terminal 4 follows not Field_Out terminal 0 in 30 ms and not Field_Out terminal 1\n\
-                then K1_Feedback is on\nat 100 ms\nhold Field_In terminal 4 is off for 100 ms\nat 160 ms\nthen K1_Feedback is off\n\
-                at 300 ms\nthen K1_Feedback is on";
-    assert_eq!(failures(&report(&estop(), &format!("scenario \"x\"\n{held}\nend\n"))), [] as [String; 0]);
+    let held = "with \"running\"\nat 0 ms\nthen K1_Feedback is off\nhold Field_In terminal 4 is off for 60 ms\n\
+                at 200 ms\nthen K1_Feedback is off\nat 300 ms\nwhen Field_In terminal 0 is off, Field_In terminal 1 is off\n\
+                then Field_Out terminal 0 is off\nthen K1_Feedback is on within 60 ms";
+    let running =
+        wiring().split_inclusive("\nend\n").next().unwrap_or_default().replace("project \"project.rll\"\n", "");
+    let scenarios = format!("{running}scenario \"x\"\n{held}\nend\n");
+    assert_eq!(failures(&report(&estop(), &scenarios)), [] as [String; 0]);
+}
+
+/// REQ-PLANT-052. A scenario that acts at a terminal that is none still is one at terminals.
+#[test]
+fn never_when_the_only_act_at_a_terminal_is_refused_then_that_alone_is_said() {
+    let scenarios = "never Field_Out terminal 0 is on and K1_Feedback is on and K2_Feedback is on\n\
+                     scenario \"x\"\ngiven Field_In terminal 9 is on\nthen K1_Feedback is off\nend\n";
+    let found = refused(&estop(), scenarios);
+    assert_eq!(found, ["E0507 3: the module has no terminal `9`"]);
 }
 
 /// REQ-PLANT-007

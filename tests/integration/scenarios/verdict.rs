@@ -136,6 +136,7 @@ fn names_values_times_and_blocks_when_they_are_none_then_refused_with_a_way_out(
             "then Warm stays off for 99999999999 min",
             "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms",
         ),
+        ("toggle Start every 20 ms for 30000 s", "E0504 2: a scenario has at most 1000000 changes of inputs"),
         ("then fault 4/20 within 99999999999 min", "E0504 2: a scenario lasts at most 4000000 scans, here 80000000 ms"),
         (
             "then Warm is off not before 18446744073709551615 ms within 5 ms",

@@ -174,3 +174,86 @@ fn kept(originals: &mut BTreeMap<PathBuf, String>, path: PathBuf) -> Result<&str
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::process::Command;
+
+    use tempfile::TempDir;
+
+    use super::*;
+    use crate::list::{Function, Place, Span};
+    use crate::weave::SWITCH;
+
+    const LIBRARY: &str = "/// Half of a number.\npub fn half(of: u32) -> u32 {\n    of / 2\n}\n";
+    const COMMAND: &str = "fn main() {\n    println!(\"{}\", halves::half(8));\n}\n";
+
+    /// A workspace of one crate, `halves`, which says half of 8.
+    fn project() -> TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |path: &str, text: &str| {
+            let path = folder.path().join(path);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        write("Cargo.toml", "[workspace]\nmembers = [\"halves\"]\nresolver = \"3\"\n");
+        write("halves/Cargo.toml", "[package]\nname = \"halves\"\nversion = \"0.1.0\"\nedition = \"2024\"\n");
+        write("halves/src/lib.rs", LIBRARY);
+        write("halves/src/main.rs", COMMAND);
+        folder
+    }
+
+    /// What cargo is told, wherever it would put what it builds otherwise.
+    fn words(folder: &TempDir) -> Vec<String> {
+        let target = folder.path().join("target").display().to_string();
+        ["build", "--quiet", "--offline", "--target-dir", &target].map(str::to_owned).to_vec()
+    }
+
+    /// The mutant that puts something in place of the division.
+    fn mutant(file: &str, replacement: &str) -> Mutant {
+        let span = |from: &str, to: &str| {
+            let at = |text: &str| LIBRARY.find(text).unwrap();
+            Span { start: Place::of(LIBRARY, at(from)), end: Place::of(LIBRARY, at(to) + to.len()) }
+        };
+        Mutant {
+            name: replacement.to_owned(),
+            file: file.to_owned(),
+            function: Some(Function { span: span("pub fn", "}") }),
+            span: span("of / 2", "of / 2"),
+            replacement: replacement.to_owned(),
+        }
+    }
+
+    #[test]
+    fn loom_when_it_has_built_then_each_mutant_that_compiles_is_switched_on_by_its_number_and_the_sources_are_put_back()
+    {
+        let folder = project();
+        let file = "halves/src/lib.rs";
+        let mutants = vec![mutant(file, "no_such_name"), mutant(file, "of * 2"), mutant(file, "of - 2")];
+        let mut loom = Loom::new(folder.path(), mutants).unwrap();
+        let built = loom.build(&words(&folder)).unwrap();
+        assert!(built.words.is_empty());
+        assert_eq!(loom.unviable().map(|mutant| mutant.name.as_str()).collect::<Vec<_>>(), ["no_such_name"]);
+        let command = folder.path().join("target/debug/halves");
+        let said = |number: usize| {
+            let output = Command::new(&command).env(SWITCH, number.to_string()).output().unwrap();
+            String::from_utf8(output.stdout).unwrap().trim().to_owned()
+        };
+        let viable: Vec<(String, String)> =
+            loom.viable().map(|(number, mutant)| (mutant.name.clone(), said(number))).collect();
+        assert_eq!(said(0), "4");
+        assert_eq!(viable, [("of * 2", "16"), ("of - 2", "6")].map(|(name, said)| (name.to_owned(), said.to_owned())));
+        drop(loom);
+        assert_eq!(fs::read_to_string(folder.path().join(file)).unwrap(), LIBRARY);
+    }
+
+    #[test]
+    fn loom_when_the_sources_are_wrong_without_a_mutant_then_that_is_said_and_no_mutant_is_blamed() {
+        let folder = project();
+        fs::write(folder.path().join("halves/src/main.rs"), "fn main() { no_such_name }").unwrap();
+        let mut loom = Loom::new(folder.path(), vec![mutant("halves/src/lib.rs", "of * 2")]).unwrap();
+        let refused = loom.build(&words(&folder)).unwrap_err();
+        assert!(matches!(&refused, LoomError::Errors(words) if words.contains("no_such_name")), "{refused}");
+        assert_eq!(loom.unviable().count(), 0);
+    }
+}

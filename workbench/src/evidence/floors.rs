@@ -88,11 +88,11 @@ const fn at_least(number: f64, unit: Unit) -> Bound {
 /// All floors, in the order of the page.
 pub static FLOORS: &[Floor] = &[
     floor(
-        "campaign.seconds",
-        "differential campaign, time from begin to end",
+        "campaign.processor",
+        "differential campaign, processor time",
         at_least(10_800.0, Unit::Seconds),
         CAMPAIGN,
-        |all| Some(all.campaign.as_ref()?.total.seconds),
+        |all| Some(all.campaign.as_ref()?.processor_seconds),
     ),
     floor("campaign.missing", "points of coverage that were not reached", Bound::None, CAMPAIGN, |all| {
         Some(all.campaign.as_ref()?.missing() as f64)

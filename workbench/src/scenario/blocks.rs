@@ -279,10 +279,12 @@ impl<'a> Expansion<'a> {
                 return until_ms.map_or(Ok(()), |until_ms| self.drive(name, signal, before, until_ms));
             }
             Setting::Terminal { terminal, event, span } => {
+                self.at_terminals = true;
                 let (module, stimulus) = self.at_terminal(terminal, event, *span)?;
                 (module, stimulus, *span)
             }
             Setting::Module { module, event, span } => {
+                self.at_terminals = true;
                 let (module, stimulus) = self.at_module(module, *event)?;
                 (module, stimulus, *span)
             }

@@ -59,11 +59,7 @@ pub(super) fn attributes(file: &tree::File) -> Vec<(String, String)> {
     let mut list = Vec::new();
     let Some(controller) = file.controller.as_deref() else { return list };
     let local = || file.modules.iter().find(|module| module.name.is("Local"));
-    let network = controller.safety_network.as_ref().or_else(|| {
-        let local = local()?;
-        let of_port = || local.ports.iter().find_map(|port| port.safety_network.as_ref());
-        local.safety_network.as_ref().or_else(of_port)
-    });
+    let network = controller.safety_network.as_ref().or_else(|| local()?.network_number());
     if let Some(network) = network {
         list.push(("SafetyNetwork".to_owned(), network.as_str().to_ascii_lowercase()));
     }

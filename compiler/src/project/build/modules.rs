@@ -31,10 +31,6 @@ pub(super) fn build<'a>(inputs: &Inputs<'a>, findings: &mut Findings) -> Vec<(&'
             }
             seen.insert(fold(shown.name.as_str()), list.len());
             let catalog_number = shown.catalog_number.as_ref().map(|text| text.text.clone()).unwrap_or_default();
-            let network = shown
-                .safety_network
-                .as_ref()
-                .or_else(|| shown.ports.iter().find_map(|port| port.safety_network.as_ref()));
             let module = Module {
                 name: shown.name.text.clone(),
                 span: shown.name.span,
@@ -42,7 +38,7 @@ pub(super) fn build<'a>(inputs: &Inputs<'a>, findings: &mut Findings) -> Vec<(&'
                 catalog_number,
                 parent: shown.parent.as_ref().map(|name| name.text.clone()).unwrap_or_default(),
                 slot: shown.slot.map(|slot| slot.value),
-                safety_network: network.map(|text| (text.text.clone(), text.span)),
+                safety_network: shown.network_number().map(|text| (text.text.clone(), text.span)),
                 text: canonical(shown),
                 points: points(shown),
                 shown: Box::new(tree::Module { opaque: Vec::new(), configuration: None, ..shown.clone() }),
@@ -106,7 +102,7 @@ fn canonical(shown: &tree::Module) -> String {
     line("Parent", shown.parent.as_ref().map(|name| name.text.to_string()));
     line("Slot", shown.slot.map(|slot| slot.value.to_string()));
     line("Address", shown.address.as_ref().map(|text| text.as_str().to_owned()));
-    line("SafetyNetwork", shown.safety_network.as_ref().map(|text| text.as_str().to_ascii_lowercase()));
+    line("SafetyNetwork", shown.network_number().map(|text| text.as_str().to_ascii_lowercase()));
     line("Inhibited", shown.inhibited.filter(|inhibited| inhibited.value).map(|_| "Yes".to_owned()));
     line("RPI_us", shown.rpi_us.map(|rpi| rpi.value.to_string()));
     for key in ["InputStatus", "OutputData"] {

@@ -215,7 +215,6 @@ impl Expansion<'_> {
         at_ms: u64,
         span: Span,
     ) -> Result<(), Box<Finding>> {
-        self.at_terminals = true;
         if self.standing.held_until_ms > at_ms {
             let ends = |change: &Change| matches!(change, Change::Plant { module: own, stimulus: other } if *own == module && replaces(stimulus, *other));
             self.actions.retain(|action| action.at_ms <= at_ms || !ends(&action.change));
