@@ -142,11 +142,13 @@ impl Cbcm {
             }
             return;
         }
-        self.follow_window(permitted.start_rises, now_ms);
+        // The lines of 11.4 in their order: a new arming keeps the window from running out, and what comes later has
+        // the last word in the code.
         let armed_before = self.armed;
         if own.arm_rises && own.mode.needs_arming() {
             self.arm(permitted, now_ms);
         }
+        self.follow_window(permitted.start_rises, now_ms);
         if permitted.start_rises {
             self.start(permitted, own, armed_before);
         }
@@ -176,8 +178,8 @@ impl Cbcm {
     fn start(&mut self, permitted: &Permitted, own: &Own, armed_before: bool) {
         let refusal = match permitted.refusal_outside_top() {
             NONE if own.stop_at_top => STOP_PENDING,
-            // Armed in an earlier scan.
-            NONE if own.mode.needs_arming() && !armed_before => NOT_ARMED,
+            // Armed in an earlier scan, and not run out in this one.
+            NONE if own.mode.needs_arming() && !(armed_before && self.armed) => NOT_ARMED,
             refusal => refusal,
         };
         if matches!(refusal, IN_MOTION | NOT_IN_TOP | STOP_PENDING) {
