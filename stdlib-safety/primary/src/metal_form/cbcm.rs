@@ -144,13 +144,13 @@ impl Cbcm {
         }
         // The lines of 11.4 in their order: a new arming keeps the window from running out, and what comes later has
         // the last word in the code.
-        let armed_before = self.armed;
+        let armed_in_time = self.armed && !self.window.exceeded(now_ms, ARMING_MS);
         if own.arm_rises && own.mode.needs_arming() {
             self.arm(permitted, now_ms);
         }
         self.follow_window(permitted.start_rises, now_ms);
         if permitted.start_rises {
-            self.start(permitted, own, armed_before);
+            self.start(permitted, own, armed_in_time);
         }
     }
 
@@ -174,12 +174,12 @@ impl Cbcm {
         }
     }
 
-    /// An edge of Start.
-    fn start(&mut self, permitted: &Permitted, own: &Own, armed_before: bool) {
+    /// An edge of Start. `armed_in_time`: armed in an earlier scan that is not more than the window ago (1.1 rule 2); an
+    /// arming of this scan does not make a late Start good.
+    fn start(&mut self, permitted: &Permitted, own: &Own, armed_in_time: bool) {
         let refusal = match permitted.refusal_outside_top() {
             NONE if own.stop_at_top => STOP_PENDING,
-            // Armed in an earlier scan, and not run out in this one.
-            NONE if own.mode.needs_arming() && !(armed_before && self.armed) => NOT_ARMED,
+            NONE if own.mode.needs_arming() && !armed_in_time => NOT_ARMED,
             refusal => refusal,
         };
         if matches!(refusal, IN_MOTION | NOT_IN_TOP | STOP_PENDING) {
