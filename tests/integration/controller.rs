@@ -63,11 +63,11 @@ fn project_when_commissioned_in_the_manual_s_order_then_it_ends_locked_with_a_re
     cell.refused("generate", "P21");
     cell.done("mode program");
     let said = cell.done(&format!("generate --clock {CLOCK}"));
-    assert!(said.contains(&format!("8e3a_386a  {CLOCK}")), "{said}");
+    assert!(said.contains(&format!("8245_78da  {CLOCK}")), "{said}");
     cell.done("lock");
     let status = cell.status();
     assert_eq!((&status["locked"], &status["signature"]["generated"]), (&true.into(), &CLOCK.into()));
-    assert!(cell.done("status").contains("8e3a_386a  2026-11-22T18:00:00Z"));
+    assert!(cell.done("status").contains("8245_78da  2026-11-22T18:00:00Z"));
     cell.refused("delete", "P22");
     cell.done("mode run");
     assert!(cell.done("status").contains("SIL 3"));
@@ -80,7 +80,7 @@ fn download_when_repeated_from_the_export_then_the_signature_stays_and_another_p
     cell.done(&format!("generate --clock {CLOCK}"));
     cell.done("lock");
     let said = cell.done(&format!("download {SAMPLE}/project.L5X"));
-    assert!(said.contains(&format!("which stays: 8e3a_386a  {CLOCK}")), "{said}");
+    assert!(said.contains(&format!("which stays: 8245_78da  {CLOCK}")), "{said}");
     assert!(cell.done(&format!("compare {SAMPLE}/project.rll")).contains("they are the same application"));
     let other = write(
         &cell.path("other.rll"),
@@ -114,6 +114,31 @@ fn download_when_only_the_network_number_on_a_port_differs_then_it_is_another_ap
     cell.done(&format!("generate --clock {CLOCK}"));
     cell.done("lock");
     assert_eq!(cell.ask(&download("other.L5X")).code, Some(1));
+    cell.done(&download("module.L5X"));
+}
+
+/// Which device answers is part of what was verified. REQ-SIGN-004
+#[test]
+fn download_when_only_the_keying_or_the_identity_of_a_module_differs_then_it_is_another_application() {
+    let export = text(&project_path("samples/add-on-instruction/project.L5X"));
+    let (before, module) = export.split_at(export.find("<Module Name=\"Field_In\"").unwrap());
+    let with = |from: &str, to: &str| {
+        assert!(module.contains(from), "{from}");
+        format!("{before}{}", module.replacen(from, to, 1))
+    };
+    let cell = Cell::new();
+    let download = |name: &str| format!("download {}", cell.path(name).display());
+    cell.write("module.L5X", &export);
+    cell.done(&download("module.L5X"));
+    cell.done(&format!("generate --clock {CLOCK}"));
+    cell.done("lock");
+    for (name, changed) in [
+        ("keying.L5X", with("<EKey State=\"CompatibleModule\"", "<EKey State=\"Disabled\"")),
+        ("revision.L5X", with("CatalogNumber=\"1734-IB8S\"", "CatalogNumber=\"1734-IB8S\" Major=\"2\"")),
+    ] {
+        cell.write(name, &changed);
+        assert_eq!(cell.ask(&download(name)).code, Some(1), "{name}");
+    }
     cell.done(&download("module.L5X"));
 }
 

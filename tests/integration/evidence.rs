@@ -57,7 +57,7 @@ fn injection_when_asked_for_a_report_and_a_page_then_both_are_written_and_eviden
     let recorded: Recorded = serde_json::from_str(&text(&report)).unwrap();
     assert_eq!(
         (recorded.project.as_str(), recorded.signature.as_str()),
-        ("samples/estop-with-contactors", "8e3a_386a")
+        ("samples/estop-with-contactors", "8245_78da")
     );
     assert!(
         recorded.provenance.command.as_ref().unwrap().starts_with("twinrung inject samples/estop-with-contactors ")

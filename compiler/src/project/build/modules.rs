@@ -10,6 +10,9 @@ use crate::diagnostic::{DUPLICATE_NAME, Finding, Findings};
 use crate::names::{Map, fold};
 use crate::project::{Module, Point, Setting};
 
+/// Electronic keying where a file says nothing of it, as exports are written.
+const KEYING_WITHOUT_WORDS: &str = "CompatibleModule";
+
 /// The modules of the files, each once.
 pub(super) fn build<'a>(inputs: &Inputs<'a>, findings: &mut Findings) -> Vec<(&'a tree::Module, Module)> {
     let mut list: Vec<(&tree::Module, Module)> = Vec::new();
@@ -92,6 +95,8 @@ fn canonical(shown: &tree::Module) -> String {
     let mut text = String::new();
     let mut line = |key: &str, value: Option<String>| {
         if let Some(value) = value {
+            // A line of its own, whatever a quoted text holds.
+            let value = value.replace('\\', "\\\\").replace('\n', "\\n");
             let _ = writeln!(text, "{key} := {value}");
         }
     };
@@ -99,6 +104,18 @@ fn canonical(shown: &tree::Module) -> String {
     let catalog =
         shown.catalog_number.as_ref().map(|number| modules::without_series(number.as_str()).to_ascii_uppercase());
     line("CatalogNumber", catalog);
+    let identity = [
+        ("Vendor", shown.vendor),
+        ("ProductType", shown.product_type),
+        ("ProductCode", shown.product_code),
+        ("Major", shown.major),
+        ("Minor", shown.minor),
+    ];
+    for (key, number) in identity {
+        line(key, number.map(|number| number.value.to_string()));
+    }
+    let keying = shown.electronic_key.as_ref().map_or(KEYING_WITHOUT_WORDS, |key| key.text.as_str());
+    line("Keying", Some(keying.to_ascii_uppercase()));
     line("Parent", shown.parent.as_ref().map(|name| name.text.to_string()));
     line("Slot", shown.slot.map(|slot| slot.value.to_string()));
     line("Address", shown.address.as_ref().map(|text| text.as_str().to_owned()));
@@ -146,11 +163,11 @@ fn canonical(shown: &tree::Module) -> String {
     text
 }
 
-/// The numbers of an opaque value in their order. The grammar bounds the depth.
+/// The numbers of an opaque value in their order, texts with their length. The grammar bounds the depth.
 fn flatten(value: &Value, out: &mut String) {
     match value {
         Value::Number(text) | Value::String(text) => {
-            let _ = write!(out, "{},", text.as_str());
+            let _ = write!(out, "{}:{},", text.as_str().len(), text.as_str());
         }
         Value::List { items, .. } => items.iter().for_each(|item| flatten(item, out)),
         Value::Structure { members, .. } => members.iter().for_each(|member| flatten(&member.value, out)),
