@@ -37,7 +37,7 @@ pub struct Fuzz {
     /// How long, as 30s, 5m or 2h; a program that was begun is run to its end, and what differs made small
     #[arg(long, value_name = "TIME", default_value = "30s", value_parser = duration)]
     time: Duration,
-    /// The first seed
+    /// The first seed; programs are numbered on from it, so that campaigns that are added up begin a million apart
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// End after so many programs
