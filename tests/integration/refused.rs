@@ -12,6 +12,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("cop-with-a-tag-as-length", "S0105"),
     ("discrepancy-time-of-4-ms", "E0305"),
     ("mapped-sil-2-data-on-a-sil-3-output", "S0703"),
+    ("mapped-tag-declared-sil-3", "S0305"),
     ("mapped-tag-written", "S0304"),
     ("own-member-as-operand", "S0608"),
     ("parameter-without-acknowledgement", "S0704"),

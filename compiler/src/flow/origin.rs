@@ -123,15 +123,13 @@ impl Origins {
         origins
     }
 
-    /// What tags and aliases declare with `SIL`.
+    /// What tags and aliases declare with `SIL`. Another name does not make SIL 3 of what the tag map brings.
     fn declared(&mut self, project: &Project) {
+        let mapped: Set<TagId> = project.map.iter().map(|line| line.safety).collect();
         for (at, tag) in project.tags.iter().enumerate() {
-            let kinds = match tag.sil {
-                Some(3) => Kinds::SAFETY,
-                Some(_) => Kinds::UNQUALIFIED,
-                None => continue,
-            };
+            let Some(sil) = tag.sil else { continue };
             if let Some((tag, bits, words)) = cells_of(project, TagId(at as u32), tag) {
+                let kinds = if sil == 3 && !mapped.contains(&tag) { Kinds::SAFETY } else { Kinds::UNQUALIFIED };
                 bits.for_each(|bit| self.set(tag, Some(bit), None, kinds, |_| true));
                 words.for_each(|word| self.set(tag, None, Some(word), kinds, |_| true));
             }

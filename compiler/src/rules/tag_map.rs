@@ -8,8 +8,8 @@ use crate::project::{Tag, TagClass, TagKind, TagScope};
 rule! {
     /// A line of the tag map that cannot hold.
     "S0305", Error, "a line of the safety tag map cannot hold",
-    "The map copies a standard tag of the controller to a safety tag of the controller of the same type, each safety tag from one standard tag only. Neither may be connected to a module or another controller.",
-    "1756-RM093, Tag Mapping; neutral-text-and-l5x.md D.2",
+    "The map copies a standard tag of the controller to a safety tag of the controller of the same type, each safety tag from one standard tag only. Neither may be connected to a module or another controller. What comes from the standard side is SIL 2 at most, so the safety tag is not declared SIL 3.",
+    "1756-RM093, Tag Mapping, and Appendix G; neutral-text-and-l5x.md D.2",
     good: sample!("    Panel_Speed : DINT;\n    Speed : DINT (Class := Safety, MappedFrom := Panel_Speed);\n    Run : BOOL (Class := Safety);\n", "      N: GRT(Speed,7)OTE(Run);\n"),
     bad: sample!("    Panel_Speed : INT;\n    Speed : DINT (Class := Safety, MappedFrom := <<Panel_Speed>>);\n    Run : BOOL (Class := Safety);\n", "      N: GRT(Speed,7)OTE(Run);\n")
 }
@@ -37,6 +37,10 @@ pub(crate) fn finding(standard: &str, source: Option<&Tag>, receiver: &Tag, span
     }
     if receiver.constant {
         return refuse(format!("`{}` receives a mapped value and is constant", receiver.name), "take Constant away");
+    }
+    if receiver.sil == Some(3) {
+        let message = format!("`{}` receives a mapped value and is declared SIL 3", receiver.name);
+        return refuse(message, "declare SIL := 2: what the standard side reads is SIL 2 at most, also in two channels");
     }
     let same = source.type_name.eq_ignore_ascii_case(&receiver.type_name) && source.dimensions == receiver.dimensions;
     if !source.is_alias() && !same {

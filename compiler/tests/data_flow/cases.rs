@@ -299,6 +299,25 @@ fn integrity_when_a_single_point_switches_what_is_declared_sil_3_then_refused() 
     assert_eq!(with(dcs), Vec::<String>::new());
 }
 
+/// 1756-RM093 Appendix G: what the standard side reads in two channels is SIL 2, under whatever name.
+#[test]
+fn integrity_when_mapped_data_is_declared_then_it_is_sil_2_at_most() {
+    let with = |sil: &str, alias: &str, rungs: &str| {
+        let tags = format!(
+            "    Channel_A : BOOL;\n    A_Good : BOOL (Class := Safety, MappedFrom := Channel_A{sil});\n    A_Named OF A_Good{alias};\n    Press OF Out:O.Pt02Data (SIL := 3);\n    Known OF In:I.Pt05Data (SIL := 3);"
+        );
+        findings(&text("", &tags, rungs, ""))
+    };
+    let (declared, named) = (", SIL := 2", " (SIL := 3)");
+    let alone = "XIC(A_Good)XIC(In:I.Pt04Data)OTE(Press)";
+    assert_eq!(with(", SIL := 3", "", alone), ["S0305 Channel_A"]);
+    assert_eq!(with(declared, "", alone), ["S0703 A_Good"]);
+    assert_eq!(with("", named, "XIC(A_Named)XIC(In:I.Pt04Data)OTE(Press)"), ["S0703 A_Named"]);
+    assert_eq!(with(declared, "", "XIC(A_Good)XIC(Known)OTE(Press)"), Vec::<String>::new());
+    assert_eq!(with(declared, "", "XIC(A_Good)XIC(In:I.Pt04Data)OTE(Motor)"), Vec::<String>::new());
+    assert_eq!(with(declared, "", "XIC(A_Good)OTE(Motor)"), ["S0701 A_Good"]);
+}
+
 #[test]
 fn rung_when_something_on_it_is_faulty_then_the_data_flow_says_nothing_about_it() {
     refused("XIC(Std)XIC(Missing)OTE(Motor)", &["E0201 Missing"]);
