@@ -33,12 +33,17 @@ fn generator_when_asked_for_many_programs_then_what_is_rare_by_itself_occurs_oft
         let mut asked = rung.split("XIC(").skip(1).filter_map(|rest| rest.split_once(')'));
         asked.any(|(bit, behind)| behind.contains(&format!("OTE({bit})")))
     };
+    let sets_its_position = |rung: &&&str| {
+        let mut set = rung.split("MOV(-").skip(1).filter_map(|rest| rest.split_once(".POS)"));
+        set.any(|(_, behind)| behind.starts_with("FAL(") || behind.starts_with("FSC("))
+    };
     let masks_an_overflow = |rung: &&&str| rung.contains(" AND (");
     let jumps_to_the_limit = |rung: &&&str| rung.contains(",1001)JMP(") || rung.contains(",1002)JMP(");
     let count = |holds: &dyn Fn(&&&str) -> bool| rungs.iter().filter(|rung| holds(rung)).count();
     for (what, found) in [
         ("a negative preset", count(&writes_negative("PRE"))),
         ("a negative position", count(&writes_negative("POS"))),
+        ("a negative position of what follows", count(&sets_its_position)),
         ("a negative length", count(&writes_negative("LEN"))),
         ("a rung that switches what it asks", count(&switches_what_it_asks)),
         ("a subscript that overflows and is in range", count(&masks_an_overflow)),

@@ -41,8 +41,7 @@ impl Writer<'_> {
                 written.push(self.operand(operand.kind, &mut call)?);
             }
         }
-        self.control = None;
-        Some(format!("{}({})", instruction.mnemonic, written.join(",")))
+        Some(self.with_its_position(format!("{}({})", instruction.mnemonic, written.join(","))))
     }
 
     fn operand(&mut self, kind: OperandKind, call: &mut Call) -> Option<String> {

@@ -121,19 +121,9 @@ impl Writer<'_> {
         "NOP()".to_owned()
     }
 
-    /// RET and TND stand behind a condition, or most routines would end at their first. A position that is set before the
-    /// instruction in its own rung is there when it starts: one that another rung has set is seldom left by then.
+    /// RET and TND stand behind a condition, or most routines would end at their first.
     fn sometimes(&mut self, instruction: &Instruction, text: String) -> String {
-        if instruction.position == Position::Ending {
-            return format!("{}{}{text}", self.input(), self.input());
-        }
-        match self.control.clone() {
-            Some(control) if self.random.one_in(16) => {
-                let position = self.also_negative(6);
-                format!("{}{}MOV({position},{control}.POS){text}", self.input(), self.input())
-            }
-            _ => text,
-        }
+        if instruction.position == Position::Ending { format!("{}{}{text}", self.input(), self.input()) } else { text }
     }
 
     /// An instruction that computes the rung condition.
@@ -255,6 +245,18 @@ impl Writer<'_> {
             _ => (*self.random.of(&["PRE", "ACC"]), self.also_negative(80)),
         };
         format!("{condition}MOV({value},{text}.{member})")
+    }
+
+    /// A position that is set before the instruction in its own rung is there when it starts: one that another rung has set is
+    /// seldom left by then.
+    pub fn with_its_position(&mut self, call: String) -> String {
+        match self.control.take() {
+            Some(control) if self.random.one_in(16) => {
+                let position = self.also_negative(6);
+                format!("{}MOV({position},{control}.POS){call}", self.input())
+            }
+            _ => call,
+        }
     }
 
     /// A number below a limit, or sometimes one below 0, which is a fault in most members.
