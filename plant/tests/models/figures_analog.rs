@@ -90,6 +90,19 @@ fn error_when_its_cause_is_gone_then_the_status_returns_after_the_latch_time() {
     assert!((4000..4050).contains(&changes[1].0), "{changes:?}");
 }
 
+/// The time that the channel sets, and not the default, counts. REQ-PLANT-041
+#[test]
+fn error_when_its_latch_time_is_set_then_the_status_returns_after_that_time() {
+    for (text, latch_ms) in [("200", 200), ("5000", 5000)] {
+        let mut bench = one("MA_4_20", &[("ErrorLatchTime", text)]);
+        bench.at(0, amount("C0", 12_000)).at(1000, Stimulus::Fault(at("C0"), Fault::ToSupply));
+        bench.at(3000, Stimulus::Repaired(at("C0")));
+        let changes = bench.changes(10_000, Status(0));
+        assert_eq!(changes.len(), 2, "{changes:?}");
+        assert!((3000 + latch_ms..3050 + latch_ms).contains(&changes[1].0), "{changes:?}");
+    }
+}
+
 /// Figure 12 and the table of step responses: 63 % of a step. REQ-PLANT-042
 #[test]
 fn filter_when_the_input_steps_then_63_percent_are_there_at_the_time_of_the_manual() {
@@ -220,19 +233,22 @@ fn tachometer_when_faster_than_1_khz_then_it_is_latched_until_the_reset() {
     const RESET: Command = Command::ResetTachometer(0);
     let all = [Data(0), Overfrequency(0)];
     let mut bench = one("TACHOMETER", &[]);
-    bench.at(100, amount("C0", 900_000));
-    assert_eq!(bench.read(600, &all), [900, 1]);
-    bench.at(1000, amount("C0", 1_200_000));
-    assert_eq!(bench.read(1003, &all), [1000, 0]);
+    // At A the frequency is below 1 Hz: none is seen yet, and nothing is too fast.
+    bench.at(0, amount("C0", 500));
+    assert_eq!(bench.read(2500, &[Data(0), Overfrequency(0), Underfrequency(0)]), [0, 1, 0]);
+    bench.at(2600, amount("C0", 900_000));
+    assert_eq!(bench.read(3200, &all), [900, 1]);
+    bench.at(4000, amount("C0", 1_200_000));
+    assert_eq!(bench.read(4003, &all), [1000, 0]);
     // A reset while it is too fast: within range for a moment, then not again.
-    bench.command(1100, &[(RESET, true)]);
-    assert_eq!(bench.read(1100, &[Overfrequency(0)]), [1]);
-    assert_eq!(bench.read(1103, &all), [1000, 0]);
+    bench.command(4100, &[(RESET, true)]);
+    assert_eq!(bench.read(4100, &[Overfrequency(0)]), [1]);
+    assert_eq!(bench.read(4103, &all), [1000, 0]);
     // Slow again, and still latched: the reset counts its edge alone.
-    bench.at(2000, amount("C0", 500_000));
-    assert_eq!(bench.read(3000, &all), [1000, 0]);
-    bench.command(3001, &[(RESET, false)]).command(3100, &[(RESET, true)]);
-    assert_eq!(bench.read(3500, &all), [500, 1]);
+    bench.at(5000, amount("C0", 500_000));
+    assert_eq!(bench.read(6000, &all), [1000, 0]);
+    bench.command(6001, &[(RESET, false)]).command(6100, &[(RESET, true)]);
+    assert_eq!(bench.read(6500, &all), [500, 1]);
 }
 
 fn two_tachometers() -> Bench<AnalogInput> {

@@ -59,6 +59,18 @@ fn single_input_when_repaired_and_open_then_its_status_returns_with_the_latch_ti
     assert_eq!(bench.changes(2000, Status(0)), [(300, 0), (431 + 1000, 1)]);
 }
 
+/// The time that the point sets, and not the default, counts. REQ-PLANT-013
+#[test]
+fn single_input_when_its_latch_time_is_set_then_its_status_returns_with_that_time() {
+    for (text, latch_ms) in [("50", 50), ("5000", 5000), ("65530", 65_530)] {
+        let settings = [("Mode", "SAFETY_PULSE_TEST"), ("TestSource", "T0"), ("ErrorLatchTime", text)];
+        let mut bench = Bench::new(DigitalInput::new(&ModuleSettings::new("1734-IB8S").point(at("I0"), &settings)));
+        bench.at(10, contact("I0", true)).at(200, Stimulus::Fault(at("I0"), Fault::ToSupply));
+        bench.at(300, contact("I0", false)).at(300, Stimulus::Repaired(at("I0")));
+        assert_eq!(bench.changes(70_000, Status(0)), [(300, 0), (431 + latch_ms, 1)], "{text}");
+    }
+}
+
 /// Figure 8, normal operation: data is on when both are on, and off with the first that is off. REQ-PLANT-014
 #[test]
 fn equivalent_pair_when_both_follow_within_the_time_then_data_is_on_while_both_are() {

@@ -74,6 +74,19 @@ fn output_when_repaired_then_it_returns_after_off_was_commanded_and_the_latch_ti
     assert_eq!(bench.read(5100, &[Readback(0), Readback(1)]), [1, 1]);
 }
 
+/// The time that the point sets, and not the default, counts. REQ-PLANT-032
+#[test]
+fn output_when_its_latch_time_is_set_then_its_status_returns_with_that_time() {
+    for (text, latch_ms) in [("500", 500), ("5000", 5000)] {
+        let settings = [("Mode", "SAFETY"), ("Channel", "SINGLE"), ("ErrorLatchTime", text)];
+        let mut bench = Bench::new(DigitalOutput::new(&ModuleSettings::new("1734-OB8S").point(at("O0"), &settings)));
+        bench.command(100, &[(O0, true)]).at(200, Stimulus::Fault(at("O0"), Fault::ToCommon));
+        bench.at(300, Stimulus::Repaired(at("O0"))).command(300, &[(O0, false)]);
+        // An output that is off shows no short to 0 V: the last look that finds it is that at 200 ms.
+        assert_eq!(bench.changes(10_000, Status(0)), [(300, 0), (200 + latch_ms, 1)], "{text}");
+    }
+}
+
 /// A short to 24 V while the output is on: the next test pulse finds it. Stuck high ends with the power of the module alone.
 /// REQ-PLANT-031, REQ-PLANT-032
 #[test]

@@ -44,3 +44,18 @@ fn pair_when_it_differs_within_the_discrepancy_time_then_data_is_safe_and_status
         assert_eq!(found, [data, [1, 1]].concat(), "{mode} {terminals:?}");
     }
 }
+
+/// The same from the active state: first both channels are active, then the terminals stand as the row says.
+#[test]
+fn pair_when_it_leaves_the_active_state_then_data_and_status_are_those_of_the_table() {
+    for (mode, terminals, data, status) in TABLE {
+        let mut bench = Bench::new(DigitalInput::new(&pair(mode, "50")));
+        bench.at(0, contact("I1", mode == "COMPLEMENTARY"));
+        bench.at(100, contact("I0", true)).at(100, contact("I1", mode == "EQUIVALENT"));
+        let active = [1, i32::from(mode == "EQUIVALENT"), 1, 1];
+        assert_eq!(bench.read(500, &[Data(0), Data(1), Status(0), Status(1)]), active, "{mode}");
+        bench.at(600, contact("I0", terminals[0])).at(600, contact("I1", terminals[1]));
+        let found = bench.read(1500, &[Data(0), Data(1), Status(0), Status(1)]);
+        assert_eq!(found, [data, status].concat(), "{mode} {terminals:?}");
+    }
+}

@@ -8,9 +8,14 @@ use super::support::Bench;
 
 const LAMP: Command = Command::Test(1);
 
-fn lamp() -> Bench<DigitalInput> {
-    let settings = ModuleSettings::new("1734-IB8S").point(T1, &[("Mode", "MUTING_LAMP")]);
+/// T1 and T3 of a module can be muting lamps.
+fn lamp_at(terminal: Terminal) -> Bench<DigitalInput> {
+    let settings = ModuleSettings::new("1734-IB8S").point(terminal, &[("Mode", "MUTING_LAMP")]);
     Bench::new(DigitalInput::new(&settings))
+}
+
+fn lamp() -> Bench<DigitalInput> {
+    lamp_at(T1)
 }
 
 const T1: Terminal = Terminal::new('T', 1);
@@ -27,6 +32,20 @@ fn lamp_when_commanded_and_tested_then_the_status_is_that_of_the_table() {
         let mut bench = lamp();
         bench.at(0, condition).command(0, &[(LAMP, true)]).command(7000, &[(LAMP, commanded)]);
         assert_eq!(bench.read(20_000, &[Muting(1)]), [status], "commanded {commanded}, {condition:?}");
+    }
+}
+
+/// The whole table at the other terminal that can be one, by its own bit.
+#[test]
+fn lamp_when_it_is_at_the_other_terminal_then_its_own_status_is_that_of_the_table() {
+    const T3: Terminal = Terminal::new('T', 3);
+    let conditions = [Stimulus::Fault(T3, Fault::Open), Stimulus::Repaired(T3)];
+    for (commanded, condition, status) in TABLE {
+        let own = conditions[usize::from(condition == GOOD)];
+        let mut bench = lamp_at(T3);
+        let command = |on: bool| [(Command::Test(3), on)];
+        bench.at(0, own).command(0, &command(true)).command(7000, &command(commanded));
+        assert_eq!(bench.read(20_000, &[Muting(1), Muting(3)]), [1, status], "commanded {commanded}, {own:?}");
     }
 }
 
