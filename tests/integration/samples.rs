@@ -3,6 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
+use twinrung_controller::{Partner, Primary};
+use twinrung_workbench::line::{Joining, Line};
+
 use crate::support::{Read, expect_reviewed, image_of, lines, project_path, read_whole, session, stimulus, text};
 
 /// Periods that a sample goes on after its stimulus.
@@ -37,6 +40,22 @@ fn samples() -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+/// REQ-SAMPLE-004
+#[test]
+fn sil_2_outputs_when_both_controllers_run_then_the_line_gives_the_recording_beside_the_producer() {
+    let folder = project_path("samples/sil-2-outputs-produced");
+    let members = [&folder, &project_path("samples/sil-2-outputs-consumed")].map(|sample| {
+        let (image, bytes) = image_of(&read_whole(&sample.join("project.rll")));
+        Joining { name: image.image().controller.name.clone(), image, bytes, phase_ms: 0, execution_us: 0 }
+    });
+    let mut line: Line<Primary, Partner> = Line::new(members.into(), 1_000, |_| 0).unwrap();
+    line.stimulate(&stimulus(&folder.join("line.csv"))).unwrap();
+    let names: Vec<String> = text(&folder.join("line.txt")).lines().map(str::to_owned).collect();
+    line.record(&names).unwrap();
+    line.until(2_000);
+    expect_reviewed(&folder.join("line-recording.csv"), &line.recording().to_csv());
 }
 
 /// REQ-IMAGE-004

@@ -95,6 +95,24 @@ fn press_when_any_contact_is_removed_then_a_scenario_fails() {
     assert_eq!(unnoticed("two-hand-press"), (24, vec![]));
 }
 
+/// The samples of 1756-RM093 Appendix G.
+const SIL_2_PATTERNS: [&str; 5] = [
+    "sil-2-single-channel",
+    "sil-2-inputs-from-standard",
+    "sil-2-dual-channel-outputs",
+    "sil-2-outputs-produced",
+    "sil-2-outputs-consumed",
+];
+
+/// REQ-TEST-031
+#[test]
+fn sil_2_patterns_when_any_contact_is_removed_then_a_scenario_fails() {
+    let counted: Vec<(usize, Vec<Contact>)> = SIL_2_PATTERNS.iter().map(|sample| unnoticed(sample)).collect();
+    let expected: Vec<(usize, Vec<Contact>)> =
+        [26, 24, 14, 20, 9].into_iter().map(|contacts| (contacts, vec![])).collect();
+    assert_eq!(counted, expected);
+}
+
 /// A harness that can fail: with a single scenario, contacts that it does not concern go unnoticed.
 #[test]
 fn contacts_when_one_scenario_is_all_there_is_then_most_go_unnoticed() {

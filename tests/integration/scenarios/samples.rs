@@ -19,7 +19,7 @@ pub fn all() -> Vec<String> {
 }
 
 /// Samples that hold a file.
-fn with(file: &str) -> Vec<String> {
+pub fn with(file: &str) -> Vec<String> {
     let entries = fs::read_dir(project_path("samples")).unwrap().map(|entry| entry.unwrap());
     let mut names: Vec<String> = entries
         .filter(|entry| entry.path().join(file).is_file())

@@ -1,5 +1,6 @@
 //! Scenarios at the terminals of modules: `docs/spec/plant.md`.
 
+use super::samples::with as samples_with;
 use super::support::{failures, refused, report};
 use crate::support::{project_path, text};
 
@@ -15,6 +16,18 @@ fn wiring() -> String {
 #[test]
 fn sample_when_its_wires_go_wrong_then_the_motor_is_off_as_its_scenarios_say() {
     assert_eq!(failures(&report(&estop(), &wiring())), [] as [String; 0]);
+}
+
+/// REQ-PLANT-050
+#[test]
+fn samples_when_their_wires_go_wrong_then_it_is_as_their_scenarios_say() {
+    let samples = samples_with("wiring.scenario");
+    assert!(samples.len() >= 2, "{samples:?}");
+    for sample in samples {
+        let folder = project_path("samples").join(&sample);
+        let found = report(&text(&folder.join("project.rll")), &text(&folder.join("wiring.scenario")));
+        assert_eq!(failures(&found), [] as [String; 0], "{sample}");
+    }
 }
 
 /// One test source for both channels: a cross short is then not found, and a channel that touches 0 V takes the source of both, so
