@@ -1,7 +1,8 @@
 //! A program that is checked, compiled and admitted: what evaluators run.
 
-use twinrung_bytecode::{AdmittedImage, admit};
-use twinrung_compiler::diagnostic::Finding;
+use twinrung_bytecode::{AdmittedImage, ImageError, admit};
+use twinrung_compiler::diagnostic::{Finding, OVER_LIMIT};
+use twinrung_compiler::lower::is_limit;
 use twinrung_compiler::project::{RoutineId, TagId};
 use twinrung_compiler::{CheckedProject, CompiledImage, Completion, check, compile};
 use twinrung_grammar::read;
@@ -40,8 +41,11 @@ impl Subject {
                 .collect());
         };
         match compile(&project) {
-            Ok(compiled) => Ok(Subject::of_image(project, compiled)),
-            // A program beyond a limit is the user's; a defect of ours is to be heard.
+            // A program beyond a limit is the user's, whether the compiler or the loader says so; a defect of ours is to be heard.
+            Ok(compiled) => match admit(&compiled.bytes) {
+                Err(error) if is_limit(&error) => Err(vec![format!("{} {error}", OVER_LIMIT.id)]),
+                admitted => Ok(Subject::of_image(project, compiled, admitted)),
+            },
             Err(finding) if finding.code.id.starts_with('D') => panic!("{}", line(&sources, &finding)),
             Err(finding) => Err(vec![line(&sources, &finding)]),
         }
@@ -52,12 +56,17 @@ impl Subject {
     pub fn from_project(project: CheckedProject) -> Subject {
         let compiled =
             compile(&project).unwrap_or_else(|finding| panic!("a checked project does not compile: {finding:?}"));
-        Subject::of_image(project, compiled)
+        let admitted = admit(&compiled.bytes);
+        Subject::of_image(project, compiled, admitted)
     }
 
-    fn of_image(project: CheckedProject, compiled: CompiledImage) -> Subject {
-        let (bytes, tags, routines) = (compiled.bytes, compiled.tags, compiled.routines);
-        let image = admit(&bytes).unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
+    fn of_image(
+        project: CheckedProject,
+        compiled: CompiledImage,
+        admitted: Result<AdmittedImage, ImageError>,
+    ) -> Subject {
+        let CompiledImage { bytes, tags, routines, .. } = compiled;
+        let image = admitted.unwrap_or_else(|error| panic!("the loader refuses a compiled image: {error}"));
         Subject { project, image, bytes, tags, routines }
     }
 }
